@@ -1,0 +1,42 @@
+# Kernel files are compiled once per instruction-set level and chosen at load (core/isa.hpp).
+#
+# The flags stay private to the generated files, so no -march reaches a user's code. A kernel file may use only
+# templates that live in the inline namespace ISOSTRETCH_ISA (core/pack.hpp): everything else with external linkage,
+# Eigen and most of the standard library included, could be kept by the linker in its AVX-512 copy for everybody.
+# tools/check_kernel_symbols proves it on the object files.
+include(CheckCXXCompilerFlag)
+
+set(ISOSTRETCH_ISA_LEVELS base)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  foreach(level v2 v3 v4)
+    check_cxx_compiler_flag(-march=x86-64-${level} ISOSTRETCH_HAS_${level})
+    if(ISOSTRETCH_HAS_${level})
+      list(APPEND ISOSTRETCH_ISA_LEVELS ${level})
+    endif()
+  endforeach()
+endif()
+
+# Optimised also in debug builds (the kernels are templates that cost a hundredfold otherwise), but not under
+# sanitizers. Infinities are values here (outside the domain of an energy), so no -ffinite-math-only.
+set(_isostretch_kernel_flags -fno-math-errno -fno-trapping-math -fno-signed-zeros -ffp-contract=fast)
+if(NOT ISOSTRETCH_SANITIZE)
+  list(APPEND _isostretch_kernel_flags -O3)
+endif()
+
+function(isostretch_add_kernels target)
+  foreach(file IN LISTS ARGN)
+    get_filename_component(stem ${file} NAME_WE)
+    foreach(level IN LISTS ISOSTRETCH_ISA_LEVELS)
+      set(unit ${CMAKE_CURRENT_BINARY_DIR}/kernels/${stem}.${level}.cpp)
+      file(CONFIGURE OUTPUT ${unit} CONTENT "#include \"${CMAKE_CURRENT_SOURCE_DIR}/${file}\"\n" @ONLY)
+      set(flags ${_isostretch_kernel_flags})
+      if(NOT level STREQUAL base)
+        list(APPEND flags -march=x86-64-${level})
+      endif()
+      set_source_files_properties(${unit} PROPERTIES COMPILE_OPTIONS "${flags}"
+        OBJECT_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+      target_sources(${target} PRIVATE ${unit})
+      target_compile_definitions(${target} PRIVATE ISOSTRETCH_HAS_ISA_${level}=1)
+    endforeach()
+  endforeach()
+endfunction()

@@ -1,0 +1,132 @@
+# One call defines a library folder: target, headers, kernels, install rules, package files, tests and benchmarks.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+include(IsostretchWarnings)
+include(IsostretchKernels)
+
+set(ISOSTRETCH_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/isostretch)
+define_property(GLOBAL PROPERTY ISOSTRETCH_COMPONENTS BRIEF_DOCS "components in dependency order")
+define_property(GLOBAL PROPERTY ISOSTRETCH_FEATURES BRIEF_DOCS "lines of the configure summary")
+
+# isostretch_add_library(newton
+#   SOURCES src/a.cpp ...            compiled plainly; leave out for a header-only library
+#   KERNELS src/k.cpp ...            compiled once per instruction-set level (IsostretchKernels.cmake)
+#   COMPONENTS assembly ...          our own libraries, public
+#   PACKAGES "Eigen3 3.4 NO_MODULE"  find_package calls that a consumer of this component needs too
+#   LINK Eigen3::Eigen ...           public third-party targets
+#   LINK_PRIVATE OpenMP::...         third-party targets that no public header shows
+#   TESTS tests/t.cpp ...            one doctest program, labelled with the library's name
+#   TEST_COMPONENTS testing ...      further libraries that only the tests link
+#   TEST_LINK nlohmann_json::...     third-party targets that only the tests link
+#   BENCHES bench/b.cpp ...)         one Google Benchmark program
+function(isostretch_add_library name)
+  cmake_parse_arguments(A "" ""
+    "SOURCES;KERNELS;COMPONENTS;PACKAGES;LINK;LINK_PRIVATE;TESTS;TEST_COMPONENTS;TEST_LINK;BENCHES" ${ARGN})
+  if(A_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "isostretch_add_library(${name}): unknown arguments ${A_UNPARSED_ARGUMENTS}")
+  endif()
+  set(target isostretch_${name})
+  if(A_SOURCES OR A_KERNELS)
+    set(scope PUBLIC)
+    add_library(${target} ${A_SOURCES})
+    isostretch_enable_warnings(${target})
+    isostretch_add_kernels(${target} ${A_KERNELS})
+  else()
+    set(scope INTERFACE)
+    add_library(${target} INTERFACE)
+  endif()
+  add_library(isostretch::${name} ALIAS ${target})
+
+  foreach(package IN LISTS A_PACKAGES)
+    separate_arguments(words UNIX_COMMAND "${package}")
+    find_package(${words} REQUIRED)
+  endforeach()
+  list(TRANSFORM A_COMPONENTS PREPEND "isostretch::" OUTPUT_VARIABLE components)
+  target_link_libraries(${target} ${scope} ${components} ${A_LINK})
+  if(A_LINK_PRIVATE)
+    target_link_libraries(${target} PRIVATE ${A_LINK_PRIVATE})
+  endif()
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_include_directories(${target} ${scope}
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  set_property(GLOBAL APPEND PROPERTY ISOSTRETCH_COMPONENTS ${name})
+  _isostretch_install_component(${name} "${A_COMPONENTS}" "${A_PACKAGES}")
+
+  if(ISOSTRETCH_BUILD_TESTS AND A_TESTS)
+    list(TRANSFORM A_TEST_COMPONENTS PREPEND "isostretch_" OUTPUT_VARIABLE test_components)
+    add_executable(${target}_tests ${A_TESTS})
+    target_link_libraries(${target}_tests PRIVATE ${target} ${test_components} ${A_TEST_LINK}
+      isostretch_test_support)
+    isostretch_enable_warnings(${target}_tests)
+    add_test(NAME ${name} COMMAND ${target}_tests)
+    set_tests_properties(${name} PROPERTIES LABELS ${name})
+  endif()
+  if(ISOSTRETCH_BUILD_BENCHMARKS AND A_BENCHES)
+    find_package(benchmark REQUIRED)
+    add_executable(${target}_bench ${A_BENCHES})
+    target_link_libraries(${target}_bench PRIVATE ${target} benchmark::benchmark)
+    isostretch_enable_warnings(${target}_bench)
+  endif()
+endfunction()
+
+# Install rules of one component: its own EXPORT set, and a small file that finds just what it needs.
+function(_isostretch_install_component name components packages)
+  if(NOT ISOSTRETCH_INSTALL)
+    return()
+  endif()
+  set(target isostretch_${name})
+  install(TARGETS ${target} EXPORT isostretch-${name}
+    RUNTIME COMPONENT ${name} LIBRARY COMPONENT ${name} ARCHIVE COMPONENT ${name})
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${name} FILES_MATCHING PATTERN "*.hpp")
+  install(EXPORT isostretch-${name} NAMESPACE isostretch:: FILE isostretch-${name}-targets.cmake
+    DESTINATION ${ISOSTRETCH_PACKAGE_DIR} COMPONENT ${name})
+  export(EXPORT isostretch-${name} NAMESPACE isostretch::
+    FILE ${PROJECT_BINARY_DIR}/isostretch-${name}-targets.cmake)
+  set(text "")
+  foreach(component IN LISTS components)
+    string(APPEND text "_isostretch_load(${component})\n")
+  endforeach()
+  foreach(package IN LISTS packages)
+    string(APPEND text "find_dependency(${package})\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/isostretch-${name}-deps.cmake CONTENT "${text}" @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/isostretch-${name}-deps.cmake
+    DESTINATION ${ISOSTRETCH_PACKAGE_DIR} COMPONENT ${name})
+endfunction()
+
+function(isostretch_finalize_package)
+  if(NOT ISOSTRETCH_INSTALL)
+    return()
+  endif()
+  get_property(ISOSTRETCH_ALL_COMPONENTS GLOBAL PROPERTY ISOSTRETCH_COMPONENTS)
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/isostretchConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/isostretchConfig.cmake INSTALL_DESTINATION ${ISOSTRETCH_PACKAGE_DIR})
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/isostretchConfigVersion.cmake
+    COMPATIBILITY SameMinorVersion)
+  # Part of every component's installation: whichever is installed alone must be findable.
+  foreach(component IN LISTS ISOSTRETCH_ALL_COMPONENTS)
+    install(FILES ${PROJECT_BINARY_DIR}/isostretchConfig.cmake ${PROJECT_BINARY_DIR}/isostretchConfigVersion.cmake
+      DESTINATION ${ISOSTRETCH_PACKAGE_DIR} COMPONENT ${component})
+  endforeach()
+  # Find modules for dependencies that ship no CMake package of their own.
+  file(GLOB find_modules ${PROJECT_SOURCE_DIR}/cmake/Find*.cmake)
+  install(FILES ${find_modules} DESTINATION ${ISOSTRETCH_PACKAGE_DIR} COMPONENT sparse)
+  file(COPY ${find_modules} DESTINATION ${PROJECT_BINARY_DIR})
+endfunction()
+
+function(isostretch_note_feature text)
+  set_property(GLOBAL APPEND PROPERTY ISOSTRETCH_FEATURES "${text}")
+endfunction()
+
+function(isostretch_print_summary)
+  get_property(components GLOBAL PROPERTY ISOSTRETCH_COMPONENTS)
+  get_property(features GLOBAL PROPERTY ISOSTRETCH_FEATURES)
+  list(JOIN components ", " components)
+  message(STATUS "isostretch ${PROJECT_VERSION} (${CMAKE_BUILD_TYPE}): ${components}")
+  foreach(feature IN LISTS features)
+    message(STATUS "  ${feature}")
+  endforeach()
+endfunction()

@@ -1,0 +1,480 @@
+#pragma once
+
+// One SIMD register of doubles, `Pack`, as wide as the instruction set this file is compiled for, and the
+// handful of functions that kernels need on `double` and `Pack` alike. A kernel is a template over the scalar
+// T: T = double is the single-element version, T = Pack the batch version, T = Jet2<Pack> the one that
+// differentiates.
+//
+// Everything here lives in an inline namespace named after the instruction set, so that copies compiled with
+// different flags are different functions for the linker. Kernel headers of other libraries open the same
+// namespace:
+//
+//   namespace isostretch::linalg {
+//   inline namespace ISOSTRETCH_ISA { template <class T> ... }
+//   }
+//
+// Native intrinsics were chosen over xsimd 8.1 and std::experimental::simd after measuring:
+// docs/benchmarks/simd.md.
+
+#include <cmath>
+#include <cstring>
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define ISOSTRETCH_ISA v4
+#define ISOSTRETCH_LANES 8
+#elif defined(__AVX2__) && defined(__FMA__)
+#define ISOSTRETCH_ISA v3
+#define ISOSTRETCH_LANES 4
+#elif defined(__SSE4_2__)
+#define ISOSTRETCH_ISA v2
+#define ISOSTRETCH_LANES 2
+#else
+#define ISOSTRETCH_ISA base
+#define ISOSTRETCH_LANES 1
+#endif
+
+#if ISOSTRETCH_LANES > 1
+#include <immintrin.h>
+#endif
+
+#define ISOSTRETCH_INLINE inline __attribute__((always_inline))
+
+namespace isostretch {
+inline namespace ISOSTRETCH_ISA {
+
+inline constexpr int lanes = ISOSTRETCH_LANES;
+
+// ---- double: a mask is a bool
+// -------------------------------------------------------------------------------------
+
+ISOSTRETCH_INLINE double select(bool mask, double a, double b) {
+  return mask ? a : b;
+}
+ISOSTRETCH_INLINE bool any(bool mask) {
+  return mask;
+}
+ISOSTRETCH_INLINE bool all(bool mask) {
+  return mask;
+}
+ISOSTRETCH_INLINE double sqrt(double a) {
+  return __builtin_sqrt(a);
+}
+ISOSTRETCH_INLINE double abs(double a) {
+  return __builtin_fabs(a);
+}
+ISOSTRETCH_INLINE double min(double a, double b) {
+  return a < b ? a : b;
+}
+ISOSTRETCH_INLINE double max(double a, double b) {
+  return a > b ? a : b;
+}
+ISOSTRETCH_INLINE double copysign(double magnitude, double sign) {
+  return __builtin_copysign(magnitude, sign);
+}
+ISOSTRETCH_INLINE double log(double a) {
+  return __builtin_log(a);
+}
+ISOSTRETCH_INLINE double log1p(double a) {
+  return __builtin_log1p(a);
+}
+ISOSTRETCH_INLINE double exp(double a) {
+  return __builtin_exp(a);
+}
+ISOSTRETCH_INLINE double expm1(double a) {
+  return __builtin_expm1(a);
+}
+ISOSTRETCH_INLINE double cbrt(double a) {
+  return __builtin_cbrt(a);
+}
+ISOSTRETCH_INLINE double pow(double a, double p) {
+  return __builtin_pow(a, p);
+}
+ISOSTRETCH_INLINE double load(const double* p, double) {
+  return *p;
+}
+ISOSTRETCH_INLINE void store(double* p, double a) {
+  *p = a;
+}
+
+#if defined(__FMA__) || defined(__FP_FAST_FMA)
+ISOSTRETCH_INLINE double fma(double a, double b, double c) {
+  return __builtin_fma(a, b, c);
+}
+#define ISOSTRETCH_HAS_FMA 1
+#else
+#define ISOSTRETCH_HAS_FMA 0
+// Not fused where the processor cannot: a library call per multiplication would cost fifty times as much.
+// What needs the single rounding uses product_difference().
+ISOSTRETCH_INLINE double fma(double a, double b, double c) {
+  return a * b + c;
+}
+#endif
+
+// The power of two in (a/2, a] for normal positive a; anything finite for zero, subnormal and infinite a.
+ISOSTRETCH_INLINE double exponent_scale(double a) {
+  unsigned long long bits;
+  std::memcpy(&bits, &a, sizeof bits);
+  bits &= 0x7ff0000000000000ull;
+  std::memcpy(&a, &bits, sizeof a);
+  return a;
+}
+
+// ---- Pack
+// ---------------------------------------------------------------------------------------------------------
+
+#if ISOSTRETCH_LANES > 1
+
+#if ISOSTRETCH_LANES == 8
+struct PackMask {
+  __mmask8 m;
+};
+using PackRegister = __m512d;
+#elif ISOSTRETCH_LANES == 4
+struct PackMask {
+  __m256d m;
+};
+using PackRegister = __m256d;
+#else
+struct PackMask {
+  __m128d m;
+};
+using PackRegister = __m128d;
+#endif
+
+struct Pack {
+  PackRegister v;
+
+  Pack() = default;
+  ISOSTRETCH_INLINE Pack(PackRegister r) : v(r) {}
+#if ISOSTRETCH_LANES == 8
+  ISOSTRETCH_INLINE Pack(double a) : v(_mm512_set1_pd(a)) {}
+#elif ISOSTRETCH_LANES == 4
+  ISOSTRETCH_INLINE Pack(double a) : v(_mm256_set1_pd(a)) {}
+#else
+  ISOSTRETCH_INLINE Pack(double a) : v(_mm_set1_pd(a)) {}
+#endif
+
+  friend ISOSTRETCH_INLINE Pack operator+(Pack a, Pack b) {
+    return a.v + b.v;
+  }
+  friend ISOSTRETCH_INLINE Pack operator-(Pack a, Pack b) {
+    return a.v - b.v;
+  }
+  friend ISOSTRETCH_INLINE Pack operator*(Pack a, Pack b) {
+    return a.v * b.v;
+  }
+  friend ISOSTRETCH_INLINE Pack operator/(Pack a, Pack b) {
+    return a.v / b.v;
+  }
+  friend ISOSTRETCH_INLINE Pack operator-(Pack a) {
+    return -a.v;
+  }
+  ISOSTRETCH_INLINE Pack& operator+=(Pack b) {
+    return *this = *this + b;
+  }
+  ISOSTRETCH_INLINE Pack& operator-=(Pack b) {
+    return *this = *this - b;
+  }
+  ISOSTRETCH_INLINE Pack& operator*=(Pack b) {
+    return *this = *this * b;
+  }
+};
+
+#if ISOSTRETCH_LANES == 8
+
+ISOSTRETCH_INLINE PackMask operator<(Pack a, Pack b) {
+  return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)};
+}
+ISOSTRETCH_INLINE PackMask operator<=(Pack a, Pack b) {
+  return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LE_OQ)};
+}
+ISOSTRETCH_INLINE PackMask operator==(Pack a, Pack b) {
+  return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_EQ_OQ)};
+}
+ISOSTRETCH_INLINE PackMask operator&(PackMask a, PackMask b) {
+  return {static_cast<__mmask8>(a.m & b.m)};
+}
+ISOSTRETCH_INLINE PackMask operator|(PackMask a, PackMask b) {
+  return {static_cast<__mmask8>(a.m | b.m)};
+}
+ISOSTRETCH_INLINE PackMask operator!(PackMask a) {
+  return {static_cast<__mmask8>(~a.m)};
+}
+ISOSTRETCH_INLINE bool any(PackMask a) {
+  return a.m != 0;
+}
+ISOSTRETCH_INLINE bool all(PackMask a) {
+  return a.m == 0xff;
+}
+ISOSTRETCH_INLINE Pack select(PackMask m, Pack a, Pack b) {
+  return _mm512_mask_blend_pd(m.m, b.v, a.v);
+}
+ISOSTRETCH_INLINE Pack sqrt(Pack a) {
+  return _mm512_sqrt_pd(a.v);
+}
+ISOSTRETCH_INLINE Pack min(Pack a, Pack b) {
+  return _mm512_min_pd(a.v, b.v);
+}
+ISOSTRETCH_INLINE Pack max(Pack a, Pack b) {
+  return _mm512_max_pd(a.v, b.v);
+}
+ISOSTRETCH_INLINE Pack fma(Pack a, Pack b, Pack c) {
+  return _mm512_fmadd_pd(a.v, b.v, c.v);
+}
+ISOSTRETCH_INLINE Pack abs(Pack a) {
+  return _mm512_abs_pd(a.v);
+}
+ISOSTRETCH_INLINE Pack load(const double* p, Pack) {
+  return _mm512_loadu_pd(p);
+}
+ISOSTRETCH_INLINE void store(double* p, Pack a) {
+  _mm512_storeu_pd(p, a.v);
+}
+ISOSTRETCH_INLINE Pack bit_and(Pack a, Pack b) {
+  return _mm512_and_pd(a.v, b.v);
+}
+ISOSTRETCH_INLINE Pack bit_or(Pack a, Pack b) {
+  return _mm512_or_pd(a.v, b.v);
+}
+#define ISOSTRETCH_MVEC(name) _ZGVeN8v_##name
+#define ISOSTRETCH_MVEC2(name) _ZGVeN8vv_##name
+
+#elif ISOSTRETCH_LANES == 4
+
+ISOSTRETCH_INLINE PackMask operator<(Pack a, Pack b) {
+  return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)};
+}
+ISOSTRETCH_INLINE PackMask operator<=(Pack a, Pack b) {
+  return {_mm256_cmp_pd(a.v, b.v, _CMP_LE_OQ)};
+}
+ISOSTRETCH_INLINE PackMask operator==(Pack a, Pack b) {
+  return {_mm256_cmp_pd(a.v, b.v, _CMP_EQ_OQ)};
+}
+ISOSTRETCH_INLINE PackMask operator&(PackMask a, PackMask b) {
+  return {_mm256_and_pd(a.m, b.m)};
+}
+ISOSTRETCH_INLINE PackMask operator|(PackMask a, PackMask b) {
+  return {_mm256_or_pd(a.m, b.m)};
+}
+ISOSTRETCH_INLINE PackMask operator!(PackMask a) {
+  return {_mm256_xor_pd(a.m, _mm256_castsi256_pd(_mm256_set1_epi64x(-1)))};
+}
+ISOSTRETCH_INLINE bool any(PackMask a) {
+  return _mm256_movemask_pd(a.m) != 0;
+}
+ISOSTRETCH_INLINE bool all(PackMask a) {
+  return _mm256_movemask_pd(a.m) == 0xf;
+}
+ISOSTRETCH_INLINE Pack select(PackMask m, Pack a, Pack b) {
+  return _mm256_blendv_pd(b.v, a.v, m.m);
+}
+ISOSTRETCH_INLINE Pack sqrt(Pack a) {
+  return _mm256_sqrt_pd(a.v);
+}
+ISOSTRETCH_INLINE Pack min(Pack a, Pack b) {
+  return _mm256_min_pd(a.v, b.v);
+}
+ISOSTRETCH_INLINE Pack max(Pack a, Pack b) {
+  return _mm256_max_pd(a.v, b.v);
+}
+ISOSTRETCH_INLINE Pack fma(Pack a, Pack b, Pack c) {
+  return _mm256_fmadd_pd(a.v, b.v, c.v);
+}
+ISOSTRETCH_INLINE Pack abs(Pack a) {
+  return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v);
+}
+ISOSTRETCH_INLINE Pack load(const double* p, Pack) {
+  return _mm256_loadu_pd(p);
+}
+ISOSTRETCH_INLINE void store(double* p, Pack a) {
+  _mm256_storeu_pd(p, a.v);
+}
+ISOSTRETCH_INLINE Pack bit_and(Pack a, Pack b) {
+  return _mm256_and_pd(a.v, b.v);
+}
+ISOSTRETCH_INLINE Pack bit_or(Pack a, Pack b) {
+  return _mm256_or_pd(a.v, b.v);
+}
+#define ISOSTRETCH_MVEC(name) _ZGVdN4v_##name
+#define ISOSTRETCH_MVEC2(name) _ZGVdN4vv_##name
+
+#else
+
+ISOSTRETCH_INLINE PackMask operator<(Pack a, Pack b) {
+  return {_mm_cmplt_pd(a.v, b.v)};
+}
+ISOSTRETCH_INLINE PackMask operator<=(Pack a, Pack b) {
+  return {_mm_cmple_pd(a.v, b.v)};
+}
+ISOSTRETCH_INLINE PackMask operator==(Pack a, Pack b) {
+  return {_mm_cmpeq_pd(a.v, b.v)};
+}
+ISOSTRETCH_INLINE PackMask operator&(PackMask a, PackMask b) {
+  return {_mm_and_pd(a.m, b.m)};
+}
+ISOSTRETCH_INLINE PackMask operator|(PackMask a, PackMask b) {
+  return {_mm_or_pd(a.m, b.m)};
+}
+ISOSTRETCH_INLINE PackMask operator!(PackMask a) {
+  return {_mm_xor_pd(a.m, _mm_castsi128_pd(_mm_set1_epi64x(-1)))};
+}
+ISOSTRETCH_INLINE bool any(PackMask a) {
+  return _mm_movemask_pd(a.m) != 0;
+}
+ISOSTRETCH_INLINE bool all(PackMask a) {
+  return _mm_movemask_pd(a.m) == 0x3;
+}
+ISOSTRETCH_INLINE Pack select(PackMask m, Pack a, Pack b) {
+  return _mm_blendv_pd(b.v, a.v, m.m);
+}
+ISOSTRETCH_INLINE Pack sqrt(Pack a) {
+  return _mm_sqrt_pd(a.v);
+}
+ISOSTRETCH_INLINE Pack min(Pack a, Pack b) {
+  return _mm_min_pd(a.v, b.v);
+}
+ISOSTRETCH_INLINE Pack max(Pack a, Pack b) {
+  return _mm_max_pd(a.v, b.v);
+}
+ISOSTRETCH_INLINE Pack fma(Pack a, Pack b, Pack c) {
+  return a * b + c;
+}
+ISOSTRETCH_INLINE Pack abs(Pack a) {
+  return _mm_andnot_pd(_mm_set1_pd(-0.0), a.v);
+}
+ISOSTRETCH_INLINE Pack load(const double* p, Pack) {
+  return _mm_loadu_pd(p);
+}
+ISOSTRETCH_INLINE void store(double* p, Pack a) {
+  _mm_storeu_pd(p, a.v);
+}
+ISOSTRETCH_INLINE Pack bit_and(Pack a, Pack b) {
+  return _mm_and_pd(a.v, b.v);
+}
+ISOSTRETCH_INLINE Pack bit_or(Pack a, Pack b) {
+  return _mm_or_pd(a.v, b.v);
+}
+#define ISOSTRETCH_MVEC(name) _ZGVbN2v_##name
+#define ISOSTRETCH_MVEC2(name) _ZGVbN2vv_##name
+
+#endif
+
+ISOSTRETCH_INLINE PackMask operator>(Pack a, Pack b) {
+  return b < a;
+}
+ISOSTRETCH_INLINE PackMask operator>=(Pack a, Pack b) {
+  return b <= a;
+}
+ISOSTRETCH_INLINE Pack copysign(Pack magnitude, Pack sign) {
+  return bit_or(abs(magnitude), bit_and(sign, Pack(-0.0)));
+}
+ISOSTRETCH_INLINE Pack exponent_scale(Pack a) {
+  return bit_and(a, Pack(__builtin_inf()));
+}
+
+#if defined(ISOSTRETCH_HAVE_LIBMVEC)
+extern "C" {
+PackRegister ISOSTRETCH_MVEC(log)(PackRegister);
+PackRegister ISOSTRETCH_MVEC(log1p)(PackRegister);
+PackRegister ISOSTRETCH_MVEC(exp)(PackRegister);
+PackRegister ISOSTRETCH_MVEC(expm1)(PackRegister);
+PackRegister ISOSTRETCH_MVEC(cbrt)(PackRegister);
+PackRegister ISOSTRETCH_MVEC2(pow)(PackRegister, PackRegister);
+}
+ISOSTRETCH_INLINE Pack log(Pack a) {
+  return ISOSTRETCH_MVEC(log)(a.v);
+}
+ISOSTRETCH_INLINE Pack log1p(Pack a) {
+  return ISOSTRETCH_MVEC(log1p)(a.v);
+}
+ISOSTRETCH_INLINE Pack exp(Pack a) {
+  return ISOSTRETCH_MVEC(exp)(a.v);
+}
+ISOSTRETCH_INLINE Pack expm1(Pack a) {
+  return ISOSTRETCH_MVEC(expm1)(a.v);
+}
+ISOSTRETCH_INLINE Pack cbrt(Pack a) {
+  return ISOSTRETCH_MVEC(cbrt)(a.v);
+}
+ISOSTRETCH_INLINE Pack pow(Pack a, Pack p) {
+  return ISOSTRETCH_MVEC2(pow)(a.v, p.v);
+}
+#else
+template <class Function>
+ISOSTRETCH_INLINE Pack lane_by_lane(Pack a, Function function) {
+  double buffer[lanes];
+  store(buffer, a);
+  for (int i = 0; i < lanes; ++i) buffer[i] = function(buffer[i]);
+  return load(buffer, Pack());
+}
+ISOSTRETCH_INLINE Pack log(Pack a) {
+  return lane_by_lane(a, [](double x) { return log(x); });
+}
+ISOSTRETCH_INLINE Pack log1p(Pack a) {
+  return lane_by_lane(a, [](double x) { return log1p(x); });
+}
+ISOSTRETCH_INLINE Pack exp(Pack a) {
+  return lane_by_lane(a, [](double x) { return exp(x); });
+}
+ISOSTRETCH_INLINE Pack expm1(Pack a) {
+  return lane_by_lane(a, [](double x) { return expm1(x); });
+}
+ISOSTRETCH_INLINE Pack cbrt(Pack a) {
+  return lane_by_lane(a, [](double x) { return cbrt(x); });
+}
+ISOSTRETCH_INLINE Pack pow(Pack a, Pack p) {
+  double exponent[lanes];
+  store(exponent, p);
+  int lane = 0;
+  return lane_by_lane(a, [&](double x) { return pow(x, exponent[lane++]); });
+}
+#endif
+#undef ISOSTRETCH_MVEC
+#undef ISOSTRETCH_MVEC2
+
+#else
+
+using Pack = double;
+
+#endif
+
+// ---- compositions on any T
+// ----------------------------------------------------------------------------------------
+
+template <class T>
+ISOSTRETCH_INLINE T load(const double* p) {
+  return load(p, T());
+}
+
+template <class T>
+ISOSTRETCH_INLINE T square(T a) {
+  return a * a;
+}
+
+#if !ISOSTRETCH_HAS_FMA
+// Dekker 1971: a*b = product + error exactly, |a|, |b| < 1e300.
+template <class T>
+ISOSTRETCH_INLINE T product_error(T a, T b, T product) {
+  const T splitter(134217729.0);
+  const T ca = splitter * a, cb = splitter * b;
+  const T ah = ca - (ca - a), bh = cb - (cb - b);
+  const T al = a - ah, bl = b - bh;
+  return ((ah * bh - product) + ah * bl + al * bh) + al * bl;
+}
+#endif
+
+// p*q - r*s to about one rounding of the result, whatever cancels (Kahan).
+template <class T>
+ISOSTRETCH_INLINE T product_difference(T p, T q, T r, T s) {
+#if ISOSTRETCH_HAS_FMA
+  const T rs = r * s;
+  const T error = fma(-r, s, rs);
+  return fma(p, q, -rs) + error;
+#else
+  const T pq = p * q, rs = r * s;
+  return (pq - rs) + (product_error(p, q, pq) - product_error(r, s, rs));
+#endif
+}
+
+}  // namespace ISOSTRETCH_ISA
+}  // namespace isostretch

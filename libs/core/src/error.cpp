@@ -1,0 +1,9 @@
+#include <isostretch/core/error.hpp>
+
+namespace isostretch {
+
+// Out of line, so that the type information exists once and is caught across shared libraries.
+Error::Error(const std::string& message) : std::runtime_error(message) {}
+Error::~Error() = default;
+
+}  // namespace isostretch
