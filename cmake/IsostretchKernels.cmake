@@ -8,12 +8,11 @@ include(CheckCXXCompilerFlag)
 
 set(ISOSTRETCH_ISA_LEVELS base)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  foreach(level v2 v3 v4)
-    check_cxx_compiler_flag(-march=x86-64-${level} ISOSTRETCH_HAS_${level})
-    if(ISOSTRETCH_HAS_${level})
-      list(APPEND ISOSTRETCH_ISA_LEVELS ${level})
-    endif()
-  endforeach()
+  check_cxx_compiler_flag(-march=x86-64-v4 ISOSTRETCH_COMPILER_KNOWS_LEVELS)
+  if(ISOSTRETCH_COMPILER_KNOWS_LEVELS)
+    list(APPEND ISOSTRETCH_ISA_LEVELS v2 v3 v4)
+    add_compile_definitions(ISOSTRETCH_HAS_ISA_LEVELS=1)
+  endif()
 endif()
 
 # Optimised also in debug builds (the kernels are templates that cost a hundredfold otherwise), but not under
@@ -21,6 +20,11 @@ endif()
 set(_isostretch_kernel_flags -fno-math-errno -fno-trapping-math -fno-signed-zeros -ffp-contract=fast)
 if(NOT ISOSTRETCH_SANITIZE)
   list(APPEND _isostretch_kernel_flags -O3)
+endif()
+
+# gcc 12 warns about the "undefined" operands inside its own AVX-512 header.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  list(APPEND _isostretch_kernel_flags -Wno-maybe-uninitialized -Wno-uninitialized)
 endif()
 
 function(isostretch_add_kernels target)
@@ -36,7 +40,6 @@ function(isostretch_add_kernels target)
       set_source_files_properties(${unit} PROPERTIES COMPILE_OPTIONS "${flags}"
         OBJECT_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file})
       target_sources(${target} PRIVATE ${unit})
-      target_compile_definitions(${target} PRIVATE ISOSTRETCH_HAS_ISA_${level}=1)
     endforeach()
   endforeach()
 endfunction()

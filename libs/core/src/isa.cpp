@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#if defined(__x86_64__)
+#if defined(ISOSTRETCH_HAS_ISA_LEVELS)
 #include <cpuid.h>
 #endif
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<std::string_view, isa_count> names = {"base", "v2", "v3", "v4"};
 
-#if defined(__x86_64__)
+#if defined(ISOSTRETCH_HAS_ISA_LEVELS)
 // -march=x86-64-v3 lets the compiler use all of the level, so all of it is asked for, not only AVX2.
 bool has_v2_baseline() {
   return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("ssse3") &&
@@ -41,13 +41,9 @@ bool has_v4_baseline() {
 
 std::vector<Isa> detect() {
   std::vector<Isa> levels = {Isa::base};
-#if defined(ISOSTRETCH_HAS_ISA_v2)
+#if defined(ISOSTRETCH_HAS_ISA_LEVELS)
   if (has_v2_baseline()) levels.push_back(Isa::v2);
-#endif
-#if defined(ISOSTRETCH_HAS_ISA_v3)
   if (has_v3_baseline()) levels.push_back(Isa::v3);
-#endif
-#if defined(ISOSTRETCH_HAS_ISA_v4)
   if (has_v4_baseline()) levels.push_back(Isa::v4);
 #endif
   return levels;

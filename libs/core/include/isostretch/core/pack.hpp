@@ -21,15 +21,19 @@
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define ISOSTRETCH_ISA v4
+#define ISOSTRETCH_KERNELS kernels_v4
 #define ISOSTRETCH_LANES 8
 #elif defined(__AVX2__) && defined(__FMA__)
 #define ISOSTRETCH_ISA v3
+#define ISOSTRETCH_KERNELS kernels_v3
 #define ISOSTRETCH_LANES 4
 #elif defined(__SSE4_2__)
 #define ISOSTRETCH_ISA v2
+#define ISOSTRETCH_KERNELS kernels_v2
 #define ISOSTRETCH_LANES 2
 #else
 #define ISOSTRETCH_ISA base
+#define ISOSTRETCH_KERNELS kernels_base
 #define ISOSTRETCH_LANES 1
 #endif
 
