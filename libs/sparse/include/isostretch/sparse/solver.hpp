@@ -1,0 +1,117 @@
+#pragma once
+
+#include <isostretch/core/error.hpp>
+#include <isostretch/sparse/matrix.hpp>
+#include <isostretch/sparse/options.hpp>
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isostretch::sparse {
+
+enum class FactorStatus { ok, not_positive_definite, out_of_memory, failed };
+
+struct FactorResult {
+  FactorStatus status = FactorStatus::ok;
+  int column = -1;  // where the first non-positive pivot was met, in the caller's numbering; -1: not known
+  std::string message;  // empty when ok
+  explicit operator bool() const { return status == FactorStatus::ok; }
+};
+
+enum class SolveStatus { ok, not_converged, not_positive_definite, failed };
+
+struct SolveResult {
+  SolveStatus status = SolveStatus::ok;
+  int iterations = 0;            // pcg: multiplications by A; summed over the right-hand sides
+  double relative_residual = 0;  // pcg: largest |b - A x| / |b|; direct solvers do not measure it and say 0
+  std::string message;           // empty when ok
+  explicit operator bool() const { return status == SolveStatus::ok; }
+};
+
+struct Statistics {
+  Backend backend = Backend::automatic;     // the one at work, never automatic after analyze()
+  Ordering ordering = Ordering::automatic;  // the one used, never automatic after analyze()
+  double factor_nonzeros = 0;               // nnz(L) with the diagonal, without supernodal padding
+  double factor_flops = 0;                  // of one factorization; 0 where the back end does not say
+  double ordering_seconds = 0;              // part of analyze_seconds
+  double analyze_seconds = 0;               // seconds and calls add up over the life of the solver
+  double factorize_seconds = 0;
+  double solve_seconds = 0;
+  int analyze_calls = 0;
+  int factorize_calls = 0;
+  int solve_calls = 0;
+};
+
+// Solves A x = b for symmetric positive definite A:
+//
+//   auto solver = make_solver({});
+//   solver->analyze(A);                       // once per sparsity pattern
+//   if (solver->factorize(A)) solver->solve(b, x);
+//
+// A that is not positive definite is a status, found at the first non-positive pivot (eigen_ldlt: after a
+// whole factorization; pcg: possibly only while solving), and leaves the solver ready for the next
+// factorize(). Misuse throws Error: a malformed matrix, another pattern than analyzed, NaN (row and column
+// are named), solve() without a factorization. One solver is used by one thread at a time; BLAS threading is
+// the environment's business (OPENBLAS_NUM_THREADS), so do not call it from inside a parallel region.
+class Solver {
+ public:
+  virtual ~Solver();
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+
+  // Ordering and symbolic factorization. Values are not looked at. out_of_memory or failed are repeated by
+  // factorize() until the next analyze().
+  FactorResult analyze(const SymmetricMatrix& A);
+
+  // Numerical factorization of a matrix with the pattern analyzed. Its values are not referred to later.
+  FactorResult factorize(const SymmetricMatrix& A);
+
+  // x is resized here, in the caller's code: memory of an Eigen object must not change hands between code
+  // compiled with different instruction sets.
+  SolveResult solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x) {
+    require_rows(b.rows());
+    x.resize(b.rows());
+    return solve_columns(b.data(), x.data(), 1);
+  }
+
+  // Several right-hand sides, one a column.
+  SolveResult solve(const Eigen::MatrixXd& B, Eigen::MatrixXd& X) {
+    require_rows(B.rows());
+    X.resize(B.rows(), B.cols());
+    return solve_columns(B.data(), X.data(), static_cast<int>(B.cols()));
+  }
+
+  // The same on raw column-major arrays of size x columns that do not overlap.
+  SolveResult solve_columns(const double* b, double* x, int columns);
+
+  const Statistics& statistics() const noexcept { return statistics_; }
+
+ protected:
+  Solver();
+
+  // What a back end supplies. Matrices are validated, finite and never empty; x and b have the right sizes.
+  virtual FactorResult do_analyze(const SymmetricMatrix& A) = 0;
+  virtual FactorResult do_factorize(const SymmetricMatrix& A) = 0;
+  virtual SolveResult do_solve(const double* b, double* x, int columns) = 0;
+
+  Statistics statistics_;
+
+ private:
+  void require_rows(Eigen::Index rows) const;
+  void require_same_pattern(const SymmetricMatrix& A) const;
+
+  enum class State { empty, analyzed, factorized };
+  State state_ = State::empty;
+  FactorResult analysis_;
+  int size_ = 0;
+  std::vector<int> column_start_;
+  std::vector<int> row_;
+};
+
+// Throws Error when the back end or the ordering is not compiled in, or an option is out of range.
+std::unique_ptr<Solver> make_solver(const Options& options = {});
+
+}  // namespace isostretch::sparse

@@ -1,0 +1,37 @@
+#include "cholmod_solver.hpp"
+#include "eigen_solver.hpp"
+#include "pcg_solver.hpp"
+
+#include <isostretch/core/error.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace isostretch::sparse {
+namespace {
+
+void require_valid(const Options& options) {
+  if (!is_available(options.backend))
+    throw Error("solver back end '" + std::string(backend_name(options.backend)) + "' is not compiled in");
+  const auto& orderings = available_orderings();
+  if (options.ordering != Ordering::automatic &&
+      std::find(orderings.begin(), orderings.end(), options.ordering) == orderings.end())
+    throw Error("ordering '" + std::string(ordering_name(options.ordering)) + "' is not compiled in");
+  if (!(options.pcg_tolerance > 0 && options.pcg_tolerance < 1))
+    throw Error("pcg_tolerance is " + std::to_string(options.pcg_tolerance) + ", not between 0 and 1");
+  if (options.pcg_max_iterations < 0)
+    throw Error("pcg_max_iterations is negative: " + std::to_string(options.pcg_max_iterations));
+}
+
+}  // namespace
+
+std::unique_ptr<Solver> make_solver(const Options& options) {
+  require_valid(options);
+  if (options.backend == Backend::pcg) return make_pcg_solver(options);
+#if defined(ISOSTRETCH_WITH_CHOLMOD)
+  if (options.backend != Backend::eigen_ldlt) return make_cholmod_solver(options);
+#endif
+  return make_eigen_solver(options);
+}
+
+}  // namespace isostretch::sparse

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <isostretch/sparse/matrix.hpp>
+#include <isostretch/sparse/options.hpp>
+
+#include <vector>
+
+namespace isostretch::sparse {
+
+struct OrderingResult {
+  Ordering used = Ordering::natural;
+  std::vector<int> permutation;  // position -> unknown
+};
+
+// Fill-reducing ordering, computed on the graph of the groups and expanded to unknowns.
+OrderingResult compute_ordering(const SymmetricMatrix& A, Ordering wanted);
+
+// Lower triangle of the graph of the groups, one unknown per group, values zero.
+struct GroupGraph {
+  SymmetricMatrix matrix;
+  std::vector<int> first;  // group -> first unknown; one more entry than groups
+};
+GroupGraph group_graph(const SymmetricMatrix& A);
+
+}  // namespace isostretch::sparse

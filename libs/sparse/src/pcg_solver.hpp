@@ -1,0 +1,9 @@
+#pragma once
+
+#include <isostretch/sparse/solver.hpp>
+
+namespace isostretch::sparse {
+
+std::unique_ptr<Solver> make_pcg_solver(const Options& options);
+
+}  // namespace isostretch::sparse

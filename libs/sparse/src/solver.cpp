@@ -1,0 +1,84 @@
+#include <isostretch/core/error.hpp>
+#include <isostretch/core/timer.hpp>
+#include <isostretch/sparse/solver.hpp>
+
+#include <cmath>
+#include <new>
+#include <string>
+
+namespace isostretch::sparse {
+namespace {
+
+void require_finite(const double* b, int rows, int columns) {
+  for (int j = 0; j < columns; ++j)
+    for (int i = 0; i < rows; ++i)
+      if (!std::isfinite(b[static_cast<std::size_t>(j) * rows + i]))
+        throw Error("sparse solver: right-hand side " + std::to_string(j) + " is not finite in row " +
+                    std::to_string(i));
+}
+
+}  // namespace
+
+Solver::Solver() = default;
+Solver::~Solver() = default;
+
+FactorResult Solver::analyze(const SymmetricMatrix& A) {
+  const ScopedTimer timer(statistics_.analyze_seconds);
+  ++statistics_.analyze_calls;
+  state_ = State::empty;
+  A.validate();
+  size_ = A.size;
+  try {
+    column_start_ = A.column_start;
+    row_ = A.row;
+    analysis_ = size_ == 0 ? FactorResult{} : do_analyze(A);
+  } catch (const std::bad_alloc&) {
+    analysis_ = {FactorStatus::out_of_memory, -1, "out of memory in the symbolic analysis"};
+  }
+  state_ = State::analyzed;
+  return analysis_;
+}
+
+FactorResult Solver::factorize(const SymmetricMatrix& A) {
+  const ScopedTimer timer(statistics_.factorize_seconds);
+  ++statistics_.factorize_calls;
+  if (state_ == State::empty) throw Error("sparse solver: factorize() needs an analyze() first");
+  if (!analysis_) return analysis_;
+  state_ = State::analyzed;
+  require_same_pattern(A);
+  A.require_finite();
+  FactorResult result;
+  try {
+    if (size_ > 0) result = do_factorize(A);
+  } catch (const std::bad_alloc&) {
+    result = {FactorStatus::out_of_memory, -1, "out of memory in the factorization"};
+  }
+  if (result) state_ = State::factorized;
+  return result;
+}
+
+SolveResult Solver::solve_columns(const double* b, double* x, int columns) {
+  const ScopedTimer timer(statistics_.solve_seconds);
+  ++statistics_.solve_calls;
+  if (state_ != State::factorized) throw Error("sparse solver: solve() needs a successful factorize() first");
+  require_finite(b, size_, columns);
+  if (size_ == 0 || columns == 0) return {};
+  return do_solve(b, x, columns);
+}
+
+void Solver::require_rows(Eigen::Index rows) const {
+  if (rows != size_)
+    throw Error("sparse solver: right-hand side has " + std::to_string(rows) + " rows, the matrix " +
+                std::to_string(size_));
+}
+
+// Cheap (two comparisons of integer arrays), and the alternative is a wrong answer.
+void Solver::require_same_pattern(const SymmetricMatrix& A) const {
+  if (A.size != size_)
+    throw Error("sparse solver: matrix of size " + std::to_string(A.size) + " after analyze() of size " +
+                std::to_string(size_));
+  if (A.column_start != column_start_ || A.row != row_ || A.value.size() != row_.size())
+    throw Error("sparse solver: the pattern of the matrix is not the one given to analyze()");
+}
+
+}  // namespace isostretch::sparse
