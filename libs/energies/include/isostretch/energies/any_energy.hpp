@@ -1,0 +1,80 @@
+#pragma once
+
+#include <isostretch/core/isa.hpp>
+#include <isostretch/energies/evaluate.hpp>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace isostretch::energies {
+
+struct Parameter {
+  std::string name;
+  double value;
+  std::string description;
+};
+
+// Kernels of a built-in energy, compiled for every instruction-set level; null for any other name.
+const std::array<EnergyFunctions, isa_count>* builtin_functions(std::string_view name);
+
+// Any energy behind one type: cheap to copy, safe to share between threads, one indirect call per chunk.
+//
+// Built-in energies run at the active instruction-set level. A user's own energy runs as it was compiled
+// where the AnyEnergy is made: give that source file -march=... or ISOSTRETCH's kernel rules for full speed.
+class AnyEnergy {
+ public:
+  template <class Energy>
+  AnyEnergy(Energy energy);  // NOLINT: implicit on purpose, an energy is an AnyEnergy
+
+  const std::string& name() const noexcept { return name_; }
+  bool supports(int dim) const noexcept { return functions_[0].psi[dim - 2] != nullptr; }
+  // det F must stay above this: 0 for a barrier, -infinity for an energy that is finite under inversion.
+  double determinant_bound() const noexcept { return determinant_bound_; }
+  bool has_barrier() const noexcept { return determinant_bound_ > -__builtin_inf(); }
+  // False when A is diagonal for every F.
+  bool coupled() const noexcept { return coupled_; }
+  const std::vector<Parameter>& parameters() const noexcept { return parameters_; }
+
+  // chunk.psi from chunk.sigma. dim must be supported.
+  void evaluate_psi(int dim, const StretchChunk& chunk) const { active().psi[dim - 2](object_.get(), chunk); }
+  // Everything in the chunk from chunk.sigma; derivatives outside the domain (psi infinite) are unspecified.
+  void evaluate_derivatives(int dim, const StretchChunk& chunk) const {
+    active().derivatives[dim - 2](object_.get(), chunk);
+  }
+
+ private:
+  const EnergyFunctions& active() const { return functions_[static_cast<std::size_t>(active_isa())]; }
+
+  std::shared_ptr<const void> object_;
+  std::array<EnergyFunctions, isa_count> functions_;
+  std::string name_;
+  double determinant_bound_;
+  bool coupled_;
+  std::vector<Parameter> parameters_;
+};
+
+template <class Energy>
+AnyEnergy::AnyEnergy(Energy energy)
+    : name_(Energy::name), determinant_bound_(energies::determinant_bound(energy)) {
+  if (const auto* compiled = builtin_functions(name_)) {
+    functions_ = *compiled;
+  } else {
+    functions_.fill(detail::functions_of<Energy>());
+  }
+  if constexpr (requires { Energy::decoupled; }) {
+    coupled_ = !Energy::decoupled;
+  } else {
+    coupled_ = true;
+  }
+  if constexpr (requires { energy.parameters([](const char*, double&, const char*) {}); }) {
+    energy.parameters([this](const char* parameter, double& value, const char* description) {
+      parameters_.push_back({parameter, value, description});
+    });
+  }
+  object_ = std::make_shared<const Energy>(std::move(energy));
+}
+
+}  // namespace isostretch::energies

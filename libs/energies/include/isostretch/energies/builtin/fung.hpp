@@ -1,0 +1,48 @@
+#pragma once
+
+#include <isostretch/energies/forms.hpp>
+
+namespace isostretch::energies {
+
+// Exponential soft-tissue model (Fung, Demiray) in y = |F|^2 J^(-2/dim): psi = mu/(2 b) (exp(b (y - dim)) -
+// 1)
+// + K/2 (J - 1)^2. Infinite at det F <= 0 and where the exponential overflows.
+struct Fung {
+  static constexpr const char* name = "fung";
+  static constexpr double minimum_determinant = 0.0;
+
+  double mu = 1.0;
+  double b = 1.0;
+  double K = 1.0;
+
+  template <class Visitor>
+  void parameters(Visitor&& visit) {
+    visit("mu", mu, "shear modulus");
+    visit("b", b, "stiffening");
+    visit("K", K, "volume stiffness");
+  }
+
+  template <int Dim, class T>
+  ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
+    using isostretch::expm1;
+    using isostretch::pow;
+    const T y = I.I2 * pow(I.I3, -2.0 / Dim);
+    return 0.5 * mu / b * expm1(b * (y - double(Dim))) + 0.5 * K * square(I.I3 - 1.0);
+  }
+
+  template <int Dim, class T>
+  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+    const T y = s.I2() * isochoric_factor(s);
+    return 0.5 * mu / b * expm1(b * (y - double(Dim))) + 0.5 * K * square(s.J_minus_one());
+  }
+
+  template <int Dim, class T>
+  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+    const T y = s.I2() * isochoric_factor(s);
+    const T h1 = 0.5 * mu * exp(min(b * (y - double(Dim)), T(700.0)));
+    isochoric_derivatives(s, h1, b * h1, K, d);
+    d.psi = psi(s);
+  }
+};
+
+}  // namespace isostretch::energies

@@ -1,0 +1,151 @@
+#pragma once
+
+// What an energy may give and how the rest is derived from it. Kernel templates.
+//
+// An energy is a struct with a `name` and one of
+//   template <int Dim, class T> T psi(const Invariants<Dim, T>& I) const;   // enough on its own: jets derive
+//   the rest template <int Dim, class T> T psi(const Stretch<Dim, T>& s) const;      // together with
+//   derivatives()
+// and optionally
+//   template <int Dim, class T> Partials<T> partials(const Invariants<Dim, T>& I) const;      // instead of
+//   the jets template <int Dim, class T> void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim,
+//   T>& d) const;
+//                                      // forms in sigma: fastest, and accurate at any stretch
+//   static constexpr double minimum_determinant;   // barrier: psi = +infinity at det F <= this
+//   double determinant_bound() const;              // the same where it is a parameter
+//   static constexpr bool supports(int dim);       // both dimensions unless it says otherwise
+//   static constexpr bool decoupled;               // A is diagonal: no eigen-solve
+//   template <class V> void parameters(V&& visit); // visit("name", member, "what it is") for each: settable
+//   by name
+//
+// Inside psi, functions of T are isostretch::log, exp, sqrt, pow(x, double), cbrt, ...: `using
+// isostretch::log;`.
+
+#include <isostretch/energies/chunk.hpp>
+#include <isostretch/energies/forms.hpp>
+
+namespace isostretch::energies {
+
+template <class Energy>
+constexpr bool supports(int dim) {
+  if constexpr (requires { Energy::supports(dim); }) {
+    return Energy::supports(dim);
+  } else {
+    return dim == 2 || dim == 3;
+  }
+}
+
+// -infinity for energies that are finite everywhere.
+template <class Energy>
+double determinant_bound(const Energy& energy) {
+  if constexpr (requires { energy.determinant_bound(); }) {
+    return energy.determinant_bound();
+  } else if constexpr (requires { Energy::minimum_determinant; }) {
+    return Energy::minimum_determinant;
+  } else {
+    return -__builtin_inf();
+  }
+}
+
+inline namespace ISOSTRETCH_ISA {
+
+template <int Dim, class T, class Energy>
+ISOSTRETCH_INLINE T evaluate_psi(const Energy& energy, const Stretch<Dim, T>& s) {
+  if constexpr (requires { energy.psi(s); }) {
+    return energy.psi(s);
+  } else {
+    return energy.psi(s.invariants());
+  }
+}
+
+template <int Dim, class T, class Energy>
+ISOSTRETCH_INLINE void evaluate_derivatives(const Energy& energy, const Stretch<Dim, T>& s,
+                                            StretchDerivatives<Dim, T>& d) {
+  if constexpr (requires { energy.derivatives(s, d); }) {
+    energy.derivatives(s, d);
+  } else if constexpr (requires { energy.partials(s.invariants()); }) {
+    invariants::derivatives_from_partials(s, energy.partials(s.invariants()), d);
+  } else {
+    invariants::derivatives_from_partials(s, invariants::partials_by_jets(energy, s.invariants()), d);
+  }
+}
+
+namespace detail {
+
+template <class Energy>
+inline constexpr bool has_barrier = requires(const Energy& e) {
+  e.determinant_bound();
+}
+|| requires {
+  Energy::minimum_determinant;
+};
+
+template <int Dim, class Energy>
+ISOSTRETCH_INLINE Pack guarded(const Energy& energy, const Stretch<Dim, Pack>& s, Pack psi) {
+  if constexpr (has_barrier<Energy>) {
+    const Pack infinity(__builtin_inf());
+    // Not (J > bound), so that NaN counts as outside; an overflow inside the domain is infinite as well.
+    return select(s.J() > Pack(energies::determinant_bound(energy)), select(psi <= infinity, psi, infinity),
+                  infinity);
+  }
+  return psi;
+}
+
+template <int Dim>
+ISOSTRETCH_INLINE Stretch<Dim, Pack> load_stretch(const StretchChunk& chunk, int i) {
+  Stretch<Dim, Pack> s;
+  for (int e = 0; e < Dim; ++e)
+    s.sigma[e] = load<Pack>(chunk.sigma + static_cast<std::size_t>(e) * chunk.stride + i);
+  return s;
+}
+
+ISOSTRETCH_INLINE void store_entry(double* data, const StretchChunk& chunk, int entry, int i, Pack value) {
+  store(data + static_cast<std::size_t>(entry) * chunk.stride + i, value);
+}
+
+template <int Dim, class Energy>
+void psi_of_chunk(const void* object, const StretchChunk& chunk) {
+  const Energy energy = *static_cast<const Energy*>(object);
+  for (int i = 0; i < chunk.count; i += lanes) {
+    const auto s = load_stretch<Dim>(chunk, i);
+    store(chunk.psi + i, guarded(energy, s, evaluate_psi(energy, s)));
+  }
+}
+
+template <int Dim, class Energy>
+void derivatives_of_chunk(const void* object, const StretchChunk& chunk) {
+  const Energy energy = *static_cast<const Energy*>(object);
+  for (int i = 0; i < chunk.count; i += lanes) {
+    const auto s = load_stretch<Dim>(chunk, i);
+    StretchDerivatives<Dim, Pack> d;
+    evaluate_derivatives(energy, s, d);
+    store(chunk.psi + i, guarded(energy, s, d.psi));
+    for (int e = 0; e < Dim; ++e) {
+      store_entry(chunk.gradient, chunk, e, i, d.gradient[e]);
+      store_entry(chunk.diagonal, chunk, e, i, d.diagonal[e]);
+    }
+    for (int e = 0; e < d.pairs; ++e) {
+      store_entry(chunk.twist, chunk, e, i, d.twist[e]);
+      store_entry(chunk.flip, chunk, e, i, d.flip[e]);
+      store_entry(chunk.coupling, chunk, e, i, d.coupling[e]);
+    }
+  }
+}
+
+template <class Energy>
+constexpr EnergyFunctions functions_of() {
+  EnergyFunctions f{};
+  if constexpr (supports<Energy>(2)) {
+    f.psi[0] = psi_of_chunk<2, Energy>;
+    f.derivatives[0] = derivatives_of_chunk<2, Energy>;
+  }
+  if constexpr (supports<Energy>(3)) {
+    f.psi[1] = psi_of_chunk<3, Energy>;
+    f.derivatives[1] = derivatives_of_chunk<3, Energy>;
+  }
+  return f;
+}
+
+}  // namespace detail
+}  // namespace ISOSTRETCH_ISA
+}  // namespace isostretch::energies

@@ -1,0 +1,153 @@
+#pragma once
+
+// Singular values of a deformation gradient and what an isotropic energy is a function of: the invariants of
+// the stretch tensor S of F = R S (Smith, de Goes, Kim 2019, Eq. 6),
+//
+//   I1 = tr S = sum sigma,   I2 = |S|^2 = sum sigma^2,   I3 = det S = det F = prod sigma.
+//
+// Kernel templates over T = double, Pack or Jet2.
+
+#include <isostretch/core/pack.hpp>
+
+namespace isostretch::invariants {
+inline namespace ISOSTRETCH_ISA {
+
+// Jets add overloads of these here, which would otherwise hide the ones for plain numbers.
+using isostretch::abs;
+using isostretch::cbrt;
+using isostretch::exp;
+using isostretch::expm1;
+using isostretch::log;
+using isostretch::log1p;
+using isostretch::max;
+using isostretch::min;
+using isostretch::pow;
+using isostretch::select;
+using isostretch::sqrt;
+using isostretch::square;
+
+template <int Dim, class T>
+struct Invariants {
+  static constexpr int dim = Dim;
+  T I1, I2, I3;
+};
+
+// Planes of rotation: pair i is spanned by the axes first(i), second(i); in 3D the one that is left is axis
+// i.
+template <int Dim>
+inline constexpr int pair_count = Dim == 3 ? 3 : 1;
+
+template <int Dim>
+ISOSTRETCH_INLINE constexpr int first(int pair) {
+  return Dim == 3 ? (pair + 1) % 3 : 0;
+}
+
+template <int Dim>
+ISOSTRETCH_INLINE constexpr int second(int pair) {
+  return Dim == 3 ? (pair + 2) % 3 : 1;
+}
+
+// Signed singular values as linalg::signed_svd gives them, sigma_0 >= ... >= |sigma_last|.
+template <int Dim, class T>
+struct Stretch {
+  static constexpr int dim = Dim;
+  static constexpr int pairs = pair_count<Dim>;
+  T sigma[Dim];
+
+  ISOSTRETCH_INLINE T operator[](int i) const { return sigma[i]; }
+  ISOSTRETCH_INLINE T a(int pair) const { return sigma[first<Dim>(pair)]; }
+  ISOSTRETCH_INLINE T b(int pair) const { return sigma[second<Dim>(pair)]; }
+  // The singular value outside the pair; 1 in 2D, where every formula of 3D holds with it.
+  ISOSTRETCH_INLINE T c(int pair) const {
+    if constexpr (Dim == 3) return sigma[pair];
+    return T(1.0);
+  }
+  ISOSTRETCH_INLINE T product(int pair) const { return a(pair) * b(pair); }
+
+  // Product of all singular values but the i-th: d(det)/d(sigma_i). Never a division.
+  ISOSTRETCH_INLINE T others(int i) const {
+    if constexpr (Dim == 3) return sigma[(i + 1) % 3] * sigma[(i + 2) % 3];
+    return sigma[1 - i];
+  }
+
+  ISOSTRETCH_INLINE T I1() const {
+    if constexpr (Dim == 3) return sigma[0] + sigma[1] + sigma[2];
+    return sigma[0] + sigma[1];
+  }
+  ISOSTRETCH_INLINE T I2() const {
+    T sum = sigma[0] * sigma[0];
+    for (int i = 1; i < Dim; ++i) sum = sum + sigma[i] * sigma[i];
+    return sum;
+  }
+  ISOSTRETCH_INLINE T J() const { return others(0) * sigma[0]; }
+
+  // sum (sigma - 1), without the cancellation of I1 - dim near rest.
+  ISOSTRETCH_INLINE T I1_minus_dim() const {
+    T sum = sigma[0] - T(1.0);
+    for (int i = 1; i < Dim; ++i) sum = sum + (sigma[i] - T(1.0));
+    return sum;
+  }
+  // sum (sigma^2 - 1), likewise.
+  ISOSTRETCH_INLINE T I2_minus_dim() const {
+    T sum = (sigma[0] - T(1.0)) * (sigma[0] + T(1.0));
+    for (int i = 1; i < Dim; ++i) sum = sum + (sigma[i] - T(1.0)) * (sigma[i] + T(1.0));
+    return sum;
+  }
+  // det F - 1 = prod(1 + e) - 1 with e = sigma - 1, likewise.
+  ISOSTRETCH_INLINE T J_minus_one() const {
+    const T x = sigma[0] - T(1.0), y = sigma[1] - T(1.0);
+    const T xy = x + y + x * y;
+    if constexpr (Dim == 2) {
+      return xy;
+    } else {
+      const T z = sigma[2] - T(1.0);
+      return xy + z + xy * z;
+    }
+  }
+
+  // others(i) - 1, likewise.
+  ISOSTRETCH_INLINE T others_minus_one(int i) const {
+    if constexpr (Dim == 2) {
+      return sigma[1 - i] - T(1.0);
+    } else {
+      const T x = sigma[(i + 1) % 3] - T(1.0), y = sigma[(i + 2) % 3] - T(1.0);
+      return x + y + x * y;
+    }
+  }
+
+  // sigma_j + sigma_k of a pair, the only denominator of the theory that is not an artefact: it vanishes on
+  // inverted F with equal magnitudes and on F of rank below dim - 1, where R is not unique and an energy that
+  // depends on I1 has a kink. Bounded from below there, relative to the largest sigma, so that the twist
+  // eigenvalue is huge and of the right sign instead of infinite: a filter then does what the limit would
+  // (FORMULAS: -inf is clamped to 0, +inf is capped).
+  ISOSTRETCH_INLINE T safe_sum(int pair) const {
+    const T floor = max(T(sum_floor) * sigma[0], T(sum_floor_absolute));
+    return max(a(pair) + b(pair), floor);
+  }
+
+  ISOSTRETCH_INLINE Invariants<Dim, T> invariants() const { return {I1(), I2(), J()}; }
+
+  static constexpr double sum_floor = 1e-12;
+  static constexpr double sum_floor_absolute = 1e-100;
+};
+
+// All that the pipeline needs of an energy at one point, in the frame of the singular vectors. With A the
+// Hessian of psi as a function of sigma, the Hessian over F is (Smith et al. 2019, section 4)
+//   sum_i twist_i t_i t_i^T + flip_i l_i l_i^T + sum_ij A_ij d_i d_j^T.
+template <int Dim, class T>
+struct StretchDerivatives {
+  static constexpr int pairs = pair_count<Dim>;
+  T psi;
+  T gradient[Dim];  // d psi / d sigma_i, the principal first Piola-Kirchhoff stresses
+  T twist[pairs];
+  T flip[pairs];
+  T diagonal[Dim];    // A_ii
+  T coupling[pairs];  // A_jk of pair i
+
+  ISOSTRETCH_INLINE void set_decoupled() {
+    for (int i = 0; i < pairs; ++i) coupling[i] = T(0.0);
+  }
+};
+
+}  // namespace ISOSTRETCH_ISA
+}  // namespace isostretch::invariants
