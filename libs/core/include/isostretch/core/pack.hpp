@@ -445,6 +445,10 @@ using Pack = double;
 // ---- compositions on any T
 // ----------------------------------------------------------------------------------------
 
+// What comparisons of T give: bool, or one truth value a lane.
+template <class T>
+using Mask = decltype(T(0.0) < T(0.0));
+
 template <class T>
 ISOSTRETCH_INLINE T load(const double* p) {
   return load(p, T());

@@ -1,0 +1,58 @@
+#pragma once
+
+// Kernel templates: the steps of the pipeline over a PointChunk, one pack at a time.
+
+#include <isostretch/projection/blocks.hpp>
+#include <isostretch/projection/eigenvalues.hpp>
+#include <isostretch/projection/point_chunk.hpp>
+
+namespace isostretch::projection {
+inline namespace ISOSTRETCH_ISA {
+
+template <int Dim>
+ISOSTRETCH_INLINE Mat<Dim, Pack> load_matrix(const double* data, std::size_t stride, int i) {
+  Mat<Dim, Pack> M;
+  for (int c = 0; c < Dim; ++c)
+    for (int r = 0; r < Dim; ++r)
+      M[r][c] = load<Pack>(data + static_cast<std::size_t>(r + Dim * c) * stride + i);
+  return M;
+}
+
+template <int Dim>
+ISOSTRETCH_INLINE void store_matrix(double* data, std::size_t stride, int i, const Mat<Dim, Pack>& M) {
+  for (int c = 0; c < Dim; ++c)
+    for (int r = 0; r < Dim; ++r) store(data + static_cast<std::size_t>(r + Dim * c) * stride + i, M[r][c]);
+}
+
+// F -> U, sigma, V; with_vectors = false leaves U and V alone.
+template <int Dim, bool WithVectors>
+ISOSTRETCH_INLINE void decompose(const PointChunk& chunk, int i) {
+  linalg::Svd<Dim, Pack> svd;
+  linalg::signed_svd<Dim, WithVectors>(load_matrix<Dim>(chunk.F, chunk.stride, i), svd);
+  for (int e = 0; e < Dim; ++e)
+    store(chunk.sigma + static_cast<std::size_t>(e) * chunk.stride + i, svd.sigma[e]);
+  if constexpr (WithVectors) {
+    store_matrix<Dim>(chunk.U, chunk.stride, i, svd.U);
+    store_matrix<Dim>(chunk.V, chunk.stride, i, svd.V);
+  }
+}
+
+template <int Dim>
+ISOSTRETCH_INLINE invariants::StretchDerivatives<Dim, Pack> load_derivatives(const energies::StretchChunk& c,
+                                                                             int i) {
+  invariants::StretchDerivatives<Dim, Pack> d;
+  const auto entry = [&](const double* data, int e) {
+    return load<Pack>(data + static_cast<std::size_t>(e) * c.stride + i);
+  };
+  d.psi = entry(c.psi, 0);
+  for (int e = 0; e < Dim; ++e) d.gradient[e] = entry(c.gradient, e), d.diagonal[e] = entry(c.diagonal, e);
+  for (int e = 0; e < d.pairs; ++e) {
+    d.twist[e] = entry(c.twist, e);
+    d.flip[e] = entry(c.flip, e);
+    d.coupling[e] = entry(c.coupling, e);
+  }
+  return d;
+}
+
+}  // namespace ISOSTRETCH_ISA
+}  // namespace isostretch::projection

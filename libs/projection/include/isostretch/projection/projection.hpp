@@ -1,0 +1,57 @@
+#pragma once
+
+// Energy, stress and filtered Hessian at deformation gradients: the analytic eigensystem without a mesh
+// around it.
+
+#include <isostretch/core/pack.hpp>
+#include <isostretch/energies/any_energy.hpp>
+#include <isostretch/projection/filter.hpp>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace isostretch::projection {
+
+// Structures of arrays: entry e of point i at data[e * stride + i]; F and P column by column (vec), H the
+// upper triangle row by row (i <= j) of the dim^2 x dim^2 Hessian over vec(F): 10 entries in 2D, 45 in 3D.
+// Null outputs are skipped.
+struct HessianBatch {
+  const double* F = nullptr;
+  double* psi = nullptr;
+  double* P = nullptr;  // first Piola-Kirchhoff stress, d psi / d F
+  double* H = nullptr;
+  std::size_t count = 0;
+  std::size_t stride = 0;
+};
+
+// Evaluates the batch on the calling thread and returns at how many points some eigenvalue was changed. Where
+// the energy is infinite, P and H are NaN. Throws Error when the energy does not exist in this dimension.
+std::size_t evaluate(const energies::AnyEnergy& energy, int dim, const FilterOptions& filter,
+                     const HessianBatch& batch);
+
+inline namespace ISOSTRETCH_ISA {
+
+template <int Dim>
+struct PointHessian {
+  double psi;
+  Eigen::Matrix<double, Dim, Dim> P;
+  Eigen::Matrix<double, Dim * Dim, Dim * Dim> H;
+  bool filtered;  // whether some eigenvalue was changed
+};
+
+// One point: a batch of one.
+template <int Dim>
+PointHessian<Dim> evaluate(const energies::AnyEnergy& energy, const Eigen::Matrix<double, Dim, Dim>& F,
+                           const FilterOptions& filter = {}) {
+  PointHessian<Dim> result;
+  double packed[Dim * Dim * (Dim * Dim + 1) / 2];
+  result.filtered = evaluate(energy, Dim, filter, {F.data(), &result.psi, result.P.data(), packed, 1, 1}) > 0;
+  const double* entry = packed;
+  for (int i = 0; i < Dim * Dim; ++i)
+    for (int j = i; j < Dim * Dim; ++j) result.H(i, j) = result.H(j, i) = *entry++;
+  return result;
+}
+
+}  // namespace ISOSTRETCH_ISA
+}  // namespace isostretch::projection

@@ -1,0 +1,225 @@
+#include <isostretch/core/error.hpp>
+#include <isostretch/core/isa.hpp>
+#include <isostretch/energies/registry.hpp>
+#include <isostretch/projection/projection.hpp>
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace isostretch;
+using projection::Filter;
+
+namespace {
+
+template <int Dim>
+using MatrixD = Eigen::Matrix<double, Dim, Dim>;
+template <int Dim>
+using Hessian = Eigen::Matrix<double, Dim * Dim, Dim * Dim>;
+
+template <int Dim>
+MatrixD<Dim> random_rotation(std::mt19937& generator) {
+  std::normal_distribution<double> normal;
+  MatrixD<Dim> Q = MatrixD<Dim>(MatrixD<Dim>::NullaryExpr([&] { return normal(generator); }))
+                       .householderQr()
+                       .householderQ();
+  if (Q.determinant() < 0) Q.col(0) *= -1;
+  return Q;
+}
+
+// Stretches of every kind that has broken a projection somewhere: near rest, repeated, opposite, zero,
+// graded.
+template <int Dim>
+std::vector<MatrixD<Dim>> deformations(bool inverted_too) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<std::array<double, 3>> sigmas = {{1, 1, 1},      {2, 2, 2},     {0.5, 0.5, 0.5},
+                                               {2, 1, 1},      {1, 1, 0.3},   {1 + 1e-9, 1, 1},
+                                               {1e3, 1, 1e-3}, {5, 0.2, 0.1}, {1e-2, 1e-2, 1e-2}};
+  if (inverted_too)
+    for (const auto& s : std::vector<std::array<double, 3>>{
+             {1, 1, -1}, {2, 1, -0.5}, {1, 0.5, -0.5 + 1e-7}, {3, 2, 0}, {1, 0, 0}, {0, 0, 0}, {4, 3, -2.9}})
+      sigmas.push_back(s);
+  for (int i = 0; i < 40; ++i) {
+    std::array<double, 3> s;
+    for (double& value : s) value = std::exp2(2 * uniform(generator));
+    if (inverted_too && i % 2) s[2] = -s[2];
+    sigmas.push_back(s);
+  }
+  std::vector<MatrixD<Dim>> result;
+  for (const auto& s : sigmas) {
+    MatrixD<Dim> S = MatrixD<Dim>::Zero();
+    for (int i = 0; i < Dim; ++i) S(i, i) = s[static_cast<std::size_t>(i == Dim - 1 ? 2 : i)];
+    result.push_back(random_rotation<Dim>(generator) * S * random_rotation<Dim>(generator).transpose());
+  }
+  return result;
+}
+
+template <int Dim>
+Hessian<Dim> numerically_filtered(const Hessian<Dim>& H, Filter filter, double threshold) {
+  const Eigen::SelfAdjointEigenSolver<Hessian<Dim>> eigen(H);
+  Eigen::Matrix<double, Dim * Dim, 1> lambda = eigen.eigenvalues();
+  if (filter == Filter::abs) lambda = lambda.cwiseAbs();
+  if (filter != Filter::none) lambda = lambda.cwiseMax(threshold);
+  return eigen.eigenvectors() * lambda.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+template <int Dim>
+void check_filters(const energies::AnyEnergy& energy) {
+  CAPTURE(energy.name());
+  for (const auto& F : deformations<Dim>(!energy.has_barrier())) {
+    CAPTURE(F);
+    const auto exact = projection::evaluate<Dim>(energy, F, {Filter::none});
+    if (!std::isfinite(exact.psi)) continue;
+    REQUIRE(exact.H.allFinite());
+    // Genuine singularities (sigma_j + sigma_k = 0) give twists of 1e12 and more: the numerical reference
+    // cannot resolve the rest beside them.
+    const double norm = exact.H.norm();
+    if (norm > 1e11) continue;
+    for (const Filter filter : {Filter::clamp, Filter::abs})
+      for (const double threshold : {0.0, 1e-3}) {
+        const auto filtered = projection::evaluate<Dim>(energy, F, {filter, threshold});
+        const Hessian<Dim> expected = numerically_filtered<Dim>(exact.H, filter, threshold);
+        CHECK((filtered.H - expected).norm() <= 1e-13 * norm + 1e-14);
+        const double smallest = Eigen::SelfAdjointEigenSolver<Hessian<Dim>>(filtered.H).eigenvalues()[0];
+        CHECK(smallest >= threshold - 1e-14 * norm);
+        if (!filtered.filtered) CHECK((filtered.H.array() == exact.H.array()).all());
+      }
+  }
+}
+
+// Stress and exact Hessian against central differences of psi and of the stress.
+template <int Dim>
+void check_derivatives(const energies::AnyEnergy& energy) {
+  CAPTURE(energy.name());
+  std::mt19937 generator(9);
+  std::uniform_real_distribution<double> uniform(-0.2, 0.2);
+  for (int trial = 0; trial < 10; ++trial) {
+    MatrixD<Dim> F = random_rotation<Dim>(generator);
+    F += MatrixD<Dim>::NullaryExpr([&] { return uniform(generator); });
+    if (energy.has_barrier() && F.determinant() < 0.1) continue;
+    const auto at = projection::evaluate<Dim>(energy, F, {Filter::none});
+    for (int e = 0; e < Dim * Dim; ++e) {
+      const double h = 1e-5;
+      MatrixD<Dim> plus = F, minus = F;
+      plus(e) += h;
+      minus(e) -= h;
+      const auto up = projection::evaluate<Dim>(energy, plus, {Filter::none});
+      const auto down = projection::evaluate<Dim>(energy, minus, {Filter::none});
+      const double scale = 1.0 + at.H.norm();
+      CHECK(std::abs((up.psi - down.psi) / (2 * h) - at.P(e)) < 2e-8 * scale * scale);
+      const MatrixD<Dim> dP = (up.P - down.P) / (2 * h);
+      CHECK((Eigen::Map<const Eigen::VectorXd>(dP.data(), Dim * Dim) - at.H.col(e)).norm() <
+            1e-7 * scale * scale);
+    }
+  }
+}
+
+template <class Check>
+void for_every_energy_and_level(Check check) {
+  const Isa before = active_isa();
+  for (const Isa isa : available_isas()) {
+    set_isa(isa);
+    CAPTURE(isa_name(isa));
+    for (const auto& name : energies::energy_names()) check(energies::make_energy(name));
+  }
+  set_isa(before);
+}
+
+}  // namespace
+
+TEST_CASE("filters agree with numerical eigen-decomposition for every energy, dimension and level") {
+  for_every_energy_and_level([](const energies::AnyEnergy& energy) {
+    if (energy.supports(2)) check_filters<2>(energy);
+    if (energy.supports(3)) check_filters<3>(energy);
+  });
+}
+
+TEST_CASE("stress and Hessian agree with finite differences for every energy, dimension and level") {
+  for_every_energy_and_level([](const energies::AnyEnergy& energy) {
+    if (energy.supports(2)) check_derivatives<2>(energy);
+    if (energy.supports(3)) check_derivatives<3>(energy);
+  });
+}
+
+TEST_CASE("a Hessian that is positive semi-definite passes every filter bit for bit") {
+  const auto energy = energies::make_energy("neo_hookean_log");
+  const Eigen::Matrix3d F = 1.2 * Eigen::Matrix3d::Identity();
+  const auto exact = projection::evaluate<3>(energy, F, {Filter::none});
+  for (const Filter filter : {Filter::clamp, Filter::abs}) {
+    const auto filtered = projection::evaluate<3>(energy, F, {filter});
+    CHECK_FALSE(filtered.filtered);
+    CHECK((filtered.H.array() == exact.H.array()).all());
+  }
+}
+
+TEST_CASE("strength moves eigenvalues part of the way, 0 not at all") {
+  const auto energy = energies::make_energy("arap");
+  const Eigen::Matrix2d F = 0.4 * Eigen::Matrix2d::Identity();  // twist 2 - 4/0.8 = -3
+  const auto smallest = [&](double strength) {
+    const auto H = projection::evaluate<2>(energy, F, {Filter::clamp, 0.0, strength}).H;
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(H).eigenvalues()[0];
+  };
+  CHECK(smallest(0.0) == doctest::Approx(-3.0));
+  CHECK(smallest(0.5) == doctest::Approx(-1.5));
+  CHECK(std::abs(smallest(1.0)) < 1e-15);
+}
+
+TEST_CASE("sigma_j + sigma_k = 0: finite, and clamping does what the limit of the twist would") {
+  for (const char* name : {"arap", "corotational", "fixed_corotational"}) {
+    const auto energy = energies::make_energy(name);
+    Eigen::Matrix2d F;
+    F << 1, 0, 0, -1;
+    const auto exact = projection::evaluate<2>(energy, F, {Filter::none});
+    CHECK(exact.H.allFinite());
+    CHECK(exact.P.allFinite());
+    const auto clamped = projection::evaluate<2>(energy, F, {Filter::clamp});
+    CHECK(clamped.H.norm() < 100.0);  // the twist tends to -infinity here, hence to 0 when clamped
+    for (const auto& zero : {Eigen::Matrix3d(Eigen::Matrix3d::Zero())}) {
+      const auto at = projection::evaluate<3>(energy, zero, {Filter::clamp});
+      CHECK(at.H.allFinite());
+      CHECK(at.H.norm() < 100.0);
+    }
+  }
+}
+
+TEST_CASE("outside the domain psi is infinite and derivatives are NaN, never plausible numbers") {
+  const auto energy = energies::make_energy("symmetric_dirichlet");
+  Eigen::Matrix2d F;
+  F << 1, 0, 0, -1;
+  const auto at = projection::evaluate<2>(energy, F);
+  CHECK(std::isinf(at.psi));
+  CHECK(std::isnan(at.P(0, 0)));
+  CHECK(std::isnan(at.H(0, 0)));
+}
+
+TEST_CASE("batches of any size equal single points bit for bit") {
+  std::mt19937 generator(31);
+  std::normal_distribution<double> normal;
+  const auto energy = energies::make_energy("stable_neo_hookean");
+  for (const std::size_t count : {1u, 7u, 32u, 33u, 100u}) {
+    std::vector<double> F(9 * count), psi(count), P(9 * count), H(45 * count);
+    for (double& value : F) value = normal(generator);
+    projection::evaluate(energy, 3, {}, {F.data(), psi.data(), P.data(), H.data(), count, count});
+    for (std::size_t i = 0; i < count; ++i) {
+      Eigen::Matrix3d M;
+      for (int e = 0; e < 9; ++e) M(e) = F[static_cast<std::size_t>(e) * count + i];
+      const auto single = projection::evaluate<3>(energy, M);
+      CHECK(single.psi == psi[i]);
+      for (int e = 0; e < 9; ++e) CHECK(single.P(e) == P[static_cast<std::size_t>(e) * count + i]);
+      CHECK(single.H(0, 0) == H[i]);
+      CHECK(single.H(8, 8) == H[44 * count + i]);
+    }
+  }
+}
+
+TEST_CASE("wrong dimensions and unknown filters are refused by name") {
+  const auto energy = energies::make_energy("mips_2d");
+  CHECK_THROWS_WITH_AS(projection::evaluate<3>(energy, Eigen::Matrix3d::Identity()),
+                       doctest::Contains("mips_2d"), Error);
+  CHECK_THROWS_WITH_AS(projection::filter_from_name("flip"), doctest::Contains("none, clamp, abs"), Error);
+}
