@@ -1,0 +1,76 @@
+// Reading and writing OBJ, checks, Tutte embedding.
+#include <isostretch/mesh/check.hpp>
+#include <isostretch/mesh/cut.hpp>
+#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/mesh/generators.hpp>
+#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh/tutte.hpp>
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+using namespace isostretch::mesh;
+
+namespace {
+
+void count_triangles(benchmark::State& state, const SurfaceMesh& mesh) {
+  state.counters["triangles"] = static_cast<double>(mesh.triangles.rows());
+}
+
+void parse_obj_text(benchmark::State& state) {
+  const std::string text = format_obj(procedural_face(static_cast<int>(state.range(0))));
+  SurfaceMesh mesh;
+  for (auto _ : state) mesh = parse_obj(text, "bench.obj");
+  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));
+  count_triangles(state, mesh);
+}
+
+void format_obj_text(benchmark::State& state) {
+  const SurfaceMesh mesh = procedural_face(static_cast<int>(state.range(0)));
+  std::size_t size = 0;
+  for (auto _ : state) size = format_obj(mesh).size();
+  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * size));
+  count_triangles(state, mesh);
+}
+
+template <class Work>
+void on_face(benchmark::State& state, const Work& work) {
+  const SurfaceMesh mesh = procedural_face(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(work(mesh));
+  count_triangles(state, mesh);
+}
+
+void check_face(benchmark::State& state) {
+  on_face(state, [](const SurfaceMesh& mesh) { return check(mesh); });
+}
+void flat_elements_of_face(benchmark::State& state) {
+  on_face(state, [](const SurfaceMesh& mesh) { return flat_elements(mesh); });
+}
+void tutte_of_face(benchmark::State& state) {
+  on_face(state, [](const SurfaceMesh& mesh) { return tutte_embedding(mesh); });
+}
+
+void tutte_of_grid(benchmark::State& state) {
+  const SurfaceMesh mesh = grid(158, 158);  // 50k triangles
+  for (auto _ : state) benchmark::DoNotOptimize(tutte_embedding(mesh));
+  count_triangles(state, mesh);
+}
+
+void cut_sphere(benchmark::State& state) {
+  const SurfaceMesh mesh = icosphere(6);
+  for (auto _ : state) benchmark::DoNotOptimize(cut_to_disk_simple(mesh));
+  count_triangles(state, mesh);
+}
+
+}  // namespace
+
+// 93 rings: 52 thousand triangles; 409 rings: a million.
+BENCHMARK(parse_obj_text)->Arg(93)->Arg(409)->Unit(benchmark::kMillisecond);
+BENCHMARK(format_obj_text)->Arg(93)->Arg(409)->Unit(benchmark::kMillisecond);
+BENCHMARK(check_face)->Arg(93)->Arg(409)->Unit(benchmark::kMillisecond);
+BENCHMARK(flat_elements_of_face)->Arg(93)->Arg(409)->Unit(benchmark::kMillisecond);
+BENCHMARK(tutte_of_face)->Arg(93)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(tutte_of_grid)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(cut_sphere)->Unit(benchmark::kMillisecond);
+BENCHMARK_MAIN();

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <isostretch/mesh/types.hpp>
+
+#include <vector>
+
+namespace isostretch::mesh {
+
+// Vertices of every boundary loop in the direction of the triangles' edges: the surface is on the left. A
+// loop starts at its smallest vertex; loops are ordered by it. Empty for a closed surface. Throws Error
+// naming a vertex or edge where the boundary branches (not manifold or not consistently oriented), or an
+// index out of range.
+std::vector<std::vector<int>> boundary_loops(const SurfaceMesh& mesh);
+std::vector<std::vector<int>> boundary_loops(const Triangles& triangles, int vertex_count);
+
+}  // namespace isostretch::mesh

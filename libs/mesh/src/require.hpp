@@ -1,0 +1,52 @@
+#pragma once
+
+#include <isostretch/core/error.hpp>
+#include <isostretch/mesh/types.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace isostretch::mesh {
+
+// "9987 9970 9494": the vertices of an element, as they stand in the mesh.
+template <class Elements>
+std::string vertex_list(const Elements& elements, Eigen::Index element) {
+  std::string text;
+  for (Eigen::Index c = 0; c < elements.cols(); ++c) {
+    if (c > 0) text += ' ';
+    text += std::to_string(elements(element, c));
+  }
+  return text;
+}
+
+// "triangle 18564 (vertices 9987 9970 9494)".
+template <class Elements>
+std::string element_text(const char* what, const Elements& elements, Eigen::Index element) {
+  return std::string(what) + " " + std::to_string(element) + " (vertices " + vertex_list(elements, element) +
+         ")";
+}
+
+template <class Elements>
+bool indices_in_range(const Elements& elements, Eigen::Index element, Eigen::Index count) {
+  for (Eigen::Index c = 0; c < elements.cols(); ++c)
+    if (elements(element, c) < 0 || elements(element, c) >= count) return false;
+  return true;
+}
+
+template <class Points>
+void require_finite(const Points& points, const char* what) {
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    for (Eigen::Index c = 0; c < points.cols(); ++c)
+      if (!std::isfinite(points(i, c)))
+        throw Error(std::string(what) + " " + std::to_string(i) + " has a coordinate that is not finite");
+}
+
+template <class Elements>
+void require_indices(const Elements& elements, Eigen::Index count, const char* what) {
+  for (Eigen::Index e = 0; e < elements.rows(); ++e)
+    if (!indices_in_range(elements, e, count))
+      throw Error(element_text(what, elements, e) + ": index out of range, there are " +
+                  std::to_string(count) + " points");
+}
+
+}  // namespace isostretch::mesh
