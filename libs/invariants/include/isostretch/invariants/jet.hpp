@@ -4,7 +4,7 @@
 // Hessian of a psi(I1, I2, I3) written once for any scalar. The lanes of a Pack go inside the jet, never the
 // other way round.
 
-#include <isostretch/core/pack.hpp>
+#include <isostretch/invariants/scalar_functions.hpp>
 
 namespace isostretch::invariants {
 inline namespace ISOSTRETCH_ISA {

@@ -7,24 +7,10 @@
 //
 // Kernel templates over T = double, Pack or Jet2.
 
-#include <isostretch/core/pack.hpp>
+#include <isostretch/invariants/scalar_functions.hpp>
 
 namespace isostretch::invariants {
 inline namespace ISOSTRETCH_ISA {
-
-// Jets add overloads of these here, which would otherwise hide the ones for plain numbers.
-using isostretch::abs;
-using isostretch::cbrt;
-using isostretch::exp;
-using isostretch::expm1;
-using isostretch::log;
-using isostretch::log1p;
-using isostretch::max;
-using isostretch::min;
-using isostretch::pow;
-using isostretch::select;
-using isostretch::sqrt;
-using isostretch::square;
 
 template <int Dim, class T>
 struct Invariants {
