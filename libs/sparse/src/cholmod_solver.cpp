@@ -3,6 +3,7 @@
 #include "cholmod_session.hpp"
 #include "ordering.hpp"
 #include "permuted_matrix.hpp"
+#include "serial_openmp.hpp"
 
 #include <isostretch/core/timer.hpp>
 
@@ -19,6 +20,11 @@ class CholmodSolver final : public Solver {
     c.nmethods = 1;                    // the ordering is ours: CHOLMOD is not to try others
     c.quick_return_if_not_posdef = 1;  // a failed factorization ends at the first bad supernode
     c.final_ll = 1;                    // L L^T notices a negative pivot, L D L^T would go on
+    // Merge supernodes a little more eagerly than the default {4, 16, 48}, whose supernodes of a few columns
+    // suit scalar unknowns: 10 to 18 % faster on two unknowns a node, no difference on three.
+    c.nrelax[0] = 8;
+    c.nrelax[1] = 32;
+    c.nrelax[2] = 96;
   }
   ~CholmodSolver() override { clear(); }
 
@@ -74,7 +80,10 @@ class CholmodSolver final : public Solver {
     permuted_.gather(A);
     cholmod_sparse view = CholmodSession::view(permuted_.matrix());
     cholmod_common& c = *session_.common();
-    cholmod_factorize(&view, factor_, &c);
+    {
+      const SerialOpenMP serial;
+      cholmod_factorize(&view, factor_, &c);
+    }
     if (c.status < CHOLMOD_OK) return failure("factorization");
     if (c.status == CHOLMOD_NOT_POSDEF || factor_->minor < factor_->n) return not_positive_definite();
     // Values near the ends of the floating-point range overflow on the way: the factor exists but is of no
