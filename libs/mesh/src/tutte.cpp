@@ -63,11 +63,17 @@ class InteriorLaplacian {
   const sparse::SymmetricMatrix& matrix() const { return matrix_; }
   const std::vector<int>& vertex_of() const { return vertex_of_; }
 
-  Eigen::MatrixXd right_hand_side(const Points2& uv) const {
-    Eigen::MatrixXd b = Eigen::MatrixXd::Zero(matrix_.size, 2);
+  // Sum of the boundary neighbours: u of all unknowns, then v.
+  std::vector<double> right_hand_side(const Points2& uv) const {
+    std::vector<double> b(2 * vertex_of_.size(), 0.0);
+    const auto add_neighbour = [&](int inner, int outer) {
+      if (unknown(inner) < 0 || unknown(outer) >= 0) return;
+      for (int d = 0; d < 2; ++d)
+        b[static_cast<std::size_t>(d * matrix_.size + unknown(inner))] += uv(outer, d);
+    };
     for (const auto& [i, j] : edges_) {
-      if (unknown(i) >= 0 && unknown(j) < 0) b.row(unknown(i)) += uv.row(j);
-      if (unknown(j) >= 0 && unknown(i) < 0) b.row(unknown(j)) += uv.row(i);
+      add_neighbour(i, j);
+      add_neighbour(j, i);
     }
     return b;
   }
@@ -112,11 +118,12 @@ std::string solve_interior(const InteriorLaplacian& laplacian, const sparse::Opt
   solver->analyze(laplacian.matrix());
   const sparse::FactorResult factored = solver->factorize(laplacian.matrix());
   if (!factored) return factored.message;
-  Eigen::MatrixXd interior;
-  const sparse::SolveResult solved = solver->solve(laplacian.right_hand_side(uv), interior);
+  const std::vector<double> b = laplacian.right_hand_side(uv);
+  std::vector<double> x(b.size());
+  const sparse::SolveResult solved = solver->solve_columns(b.data(), x.data(), 2);
   if (!solved) return solved.message;
-  for (Eigen::Index i = 0; i < interior.rows(); ++i)
-    uv.row(laplacian.vertex_of()[static_cast<std::size_t>(i)]) = interior.row(i);
+  const std::size_t n = laplacian.vertex_of().size();
+  for (std::size_t i = 0; i < n; ++i) uv.row(laplacian.vertex_of()[i]) << x[i], x[n + i];
   return {};
 }
 
@@ -127,8 +134,7 @@ void report_flips(const Triangles& triangles, TutteResult& result) {
   result.flipped = std::move(report.flipped);
   result.message = "Tutte embedding: " + std::to_string(result.flipped.size()) +
                    " triangles are not positively oriented, first " +
-                   element_text("triangle", triangles, result.flipped.front()) + "; smallest area " +
-                   std::to_string(report.smallest_area);
+                   element_text("triangle", triangles, result.flipped.front());
 }
 
 }  // namespace

@@ -46,8 +46,7 @@ class EigenSolver final : public Solver {
     for (int p = 0; p < A.size; ++p)
       if (!(D[p] > 0))
         return {FactorStatus::not_positive_definite, permutation_[p],
-                "not positive definite: pivot of column " + std::to_string(permutation_[p]) + " is " +
-                    std::to_string(D[p])};
+                "not positive definite: no positive pivot in column " + std::to_string(permutation_[p])};
     if (factor_.info() != Eigen::Success) return {FactorStatus::failed, -1, "Eigen::SimplicialLDLT failed"};
     return {};
   }

@@ -3,11 +3,17 @@
 #include "preconditioner.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
 
 namespace isostretch::sparse {
 namespace {
+
+std::string scientific(double value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, 2).ptr};
+}
 
 // Preconditioned conjugate gradients (Hestenes & Stiefel 1952), started from zero. The recurrence for the
 // residual drifts from the true one, so convergence counts only when b - A x itself is small; otherwise it
@@ -58,7 +64,9 @@ class PcgSolver final : public Solver {
     for (;;) {
       const double before = result.relative_residual;
       const bool curved = descend(x, options_.pcg_tolerance * b_norm, limit, result.iterations);
-      residual_ = b - matrix_.multiply(x);
+      product_.resize(matrix_.size);
+      matrix_.multiply(x.data(), product_.data());
+      residual_ = b - product_;
       result.relative_residual = residual_.stableNorm() / b_norm;
       if (result.relative_residual <= options_.pcg_tolerance) return result;
       if (curved)
@@ -97,7 +105,7 @@ class PcgSolver final : public Solver {
     result.status = status;
     result.message = std::string("conjugate gradients: ") + reason + " after " +
                      std::to_string(result.iterations) + " iterations, relative residual " +
-                     std::to_string(result.relative_residual);
+                     scientific(result.relative_residual);
     return result;
   }
 

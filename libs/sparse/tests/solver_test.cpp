@@ -331,6 +331,17 @@ TEST_CASE("sparse solver: statistics say what was done") {
   }
 }
 
+TEST_CASE("sparse solver: automatic ordering tells 3D from 2D") {
+  const auto chosen = [](const SymmetricMatrix& A) {
+    const auto solver = make_solver();
+    solver->analyze(A);
+    return solver->statistics().ordering;
+  };
+  CHECK(chosen(grid_2d(40)) == Ordering::amd);
+  CHECK(chosen(grid_3d(5)) == Ordering::amd);  // too small to matter
+  CHECK(chosen(grid_3d(11)) == (is_available(Backend::cholmod_supernodal) ? Ordering::metis : Ordering::amd));
+}
+
 TEST_CASE("sparse solver: a fill-reducing ordering on groups has far less fill than none") {
   const SymmetricMatrix A = grid_2d(40);
   const auto fill = [&](Ordering ordering) {

@@ -14,8 +14,7 @@ struct TutteOptions {
 
 enum class TutteStatus {
   ok,
-  flipped,  // an embedding, but triangles collapsed or turned over: too thin for floating point, or the mesh
-            // has interior vertices that only two others hold (no convex-boundary embedding exists)
+  flipped,  // triangles collapsed or turned over: they came out smaller than floating point can tell apart
   failed    // the linear solver failed; uv is empty
 };
 
