@@ -1,0 +1,95 @@
+#pragma once
+
+#include <isostretch/assembly/elements.hpp>
+#include <isostretch/assembly/hessian_pattern.hpp>
+#include <isostretch/energies/any_energy.hpp>
+#include <isostretch/projection/filter.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace isostretch::assembly {
+
+struct Evaluation {
+  double value = 0;                 // +infinity outside the domain of the energy
+  int worst_element = -1;           // the first element whose psi is not finite, -1: none
+  std::size_t points_filtered = 0;  // quadrature points at which some eigenvalue was changed
+  std::size_t points = 0;
+};
+
+// The chunk loop: energy, gradient and filtered Hessian of sum weight * psi(F) over elements. Positions,
+// directions and gradients are vectors of node_count * dim entries, node by node. Parallel over chunks with
+// OpenMP; results are the same bit for bit for any number of threads, and allocate nothing after the first
+// call.
+class EnergyAssembler {
+ public:
+  // Throws Error when the elements are malformed or the energy does not exist in their dimension.
+  EnergyAssembler(const Elements& elements, energies::AnyEnergy energy);
+
+  int dim() const { return dim_; }
+  int node_count() const { return node_count_; }
+  int element_count() const { return element_count_; }
+  std::size_t point_count() const {
+    return static_cast<std::size_t>(element_count_) * static_cast<std::size_t>(points_);
+  }
+  const energies::AnyEnergy& energy() const { return energy_; }
+
+  void add_to(PatternBuilder& builder) const;
+  // Prepares add_hessian() for a pattern that holds what add_to() added.
+  void bind(const HessianPattern& pattern);
+
+  Evaluation value(const double* x);
+
+  // Adds to `gradient`, when given, and prepares the Hessian for add_hessian(), when asked. Where the value
+  // is infinite nothing is added.
+  Evaluation differentiate(const double* x, const projection::FilterOptions& filter, double* gradient,
+                           bool hessian);
+  // Adds the Hessian of the last differentiate() to the values of a matrix with the bound pattern.
+  void add_hessian(double* values) const;
+
+  // Largest t <= limit such that det(F + s dF) stays above the energy's bound for all 0 <= s < t at every
+  // quadrature point (Smith & Schaefer 2015); `limit` for energies without a barrier.
+  double max_step(const double* x, const double* dx, double limit) const;
+
+  // Singular values at the quadrature points, [element][point][dim].
+  std::vector<double> stretches(const double* x) const;
+
+ private:
+  struct Contribution {
+    std::size_t slot;  // first entry of the block in the slots
+    bool transposed;
+  };
+
+  void chunk_elements(const Elements& elements);
+  void index_gradient();
+
+  template <class Body>
+  void for_each_chunk(const Body& body) const;
+
+  energies::AnyEnergy energy_;
+  int dim_;
+  int nodes_;
+  int points_;
+  int node_count_;
+  int element_count_;
+  int chunk_;
+  int chunk_count_;
+
+  // In chunks: [chunk][node][lane], [chunk][point][node * dim][lane], [chunk][point][lane].
+  std::vector<int> chunk_nodes_;
+  std::vector<double> chunk_gradients_;
+  std::vector<double> chunk_weights_;
+
+  std::vector<int> nodes_of_element_;
+  std::vector<double> chunk_values_;
+  std::vector<double> gradient_slots_;  // [element][node][dim]
+  std::vector<double> hessian_slots_;   // [element][block a <= b][dim * dim]
+  std::vector<std::size_t> gradient_start_;
+  std::vector<std::size_t> gradient_index_;  // slots of each node
+  const HessianPattern* pattern_ = nullptr;
+  std::vector<std::size_t> contribution_start_;
+  std::vector<Contribution> contributions_;  // of each block of the pattern
+  std::vector<std::size_t> touched_blocks_;
+};
+
+}  // namespace isostretch::assembly

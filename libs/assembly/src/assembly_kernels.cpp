@@ -1,0 +1,188 @@
+// Compiled once per instruction-set level: see cmake/IsostretchKernels.cmake for what may be included here.
+#include "kernel_table.hpp"
+
+#include <isostretch/projection/chunk_steps.hpp>
+
+namespace isostretch::assembly::ISOSTRETCH_KERNELS {
+namespace {
+
+using projection::BlockCoefficients;
+using projection::Mat;
+using projection::PointChunk;
+
+ISOSTRETCH_INLINE Pack entry(const double* data, std::size_t stride, int e, int i) {
+  return load<Pack>(data + static_cast<std::size_t>(e) * stride + i);
+}
+
+ISOSTRETCH_INLINE void add_entry(double* data, std::size_t stride, int e, int i, Pack value) {
+  double* p = data + static_cast<std::size_t>(e) * stride + i;
+  store(p, load<Pack>(p) + value);
+}
+
+template <int Dim, int Nodes>
+void gather(const ElementChunk& chunk, const double* x, double* X) {
+  for (int a = 0; a < Nodes; ++a) {
+    const int* node = chunk.nodes + static_cast<std::size_t>(a) * chunk.stride;
+    for (int c = 0; c < Dim; ++c) {
+      double* out = X + static_cast<std::size_t>(a * Dim + c) * chunk.stride;
+      for (int i = 0; i < chunk.count; ++i)
+        out[i] = x[static_cast<std::size_t>(node[i]) * Dim + static_cast<std::size_t>(c)];
+    }
+  }
+}
+
+// sum over nodes of x_a g_a^T, as differences to node 0, whose gradient is minus the sum of the others':
+// exact for translations, and one node cheaper.
+template <int Dim, int Nodes>
+ISOSTRETCH_INLINE Mat<Dim, Pack> gradient_of(const ElementChunk& chunk, const double* X, int i) {
+  Mat<Dim, Pack> F;
+  for (int a = 1; a < Nodes; ++a) {
+    Pack difference[Dim], g[Dim];
+    for (int c = 0; c < Dim; ++c) {
+      difference[c] = entry(X, chunk.stride, a * Dim + c, i) - entry(X, chunk.stride, c, i);
+      g[c] = entry(chunk.gradients, chunk.stride, a * Dim + c, i);
+    }
+    for (int r = 0; r < Dim; ++r)
+      for (int c = 0; c < Dim; ++c)
+        F[r][c] = a == 1 ? difference[r] * g[c] : fma(difference[r], g[c], F[r][c]);
+  }
+  return F;
+}
+
+template <int Dim, int Nodes>
+void deform(const ElementChunk& chunk, const double* X, const PointChunk& points, bool vectors) {
+  for (int i = 0; i < chunk.count; i += lanes) {
+    linalg::Svd<Dim, Pack> svd;
+    const Mat<Dim, Pack> F = gradient_of<Dim, Nodes>(chunk, X, i);
+    if (vectors) {
+      linalg::signed_svd<Dim, true>(F, svd);
+      projection::store_matrix<Dim>(points.U, points.stride, i, svd.U);
+      projection::store_matrix<Dim>(points.V, points.stride, i, svd.V);
+    } else {
+      linalg::signed_svd<Dim, false>(F, svd);
+    }
+    for (int e = 0; e < Dim; ++e)
+      store(points.sigma + static_cast<std::size_t>(e) * points.stride + i, svd.sigma[e]);
+  }
+}
+
+// Index of block (a, b), a <= b, among the blocks of an element.
+template <int Nodes>
+ISOSTRETCH_INLINE constexpr int block_index(int a, int b) {
+  return a * Nodes - a * (a - 1) / 2 + (b - a);
+}
+
+template <int Dim, int Nodes>
+ISOSTRETCH_INLINE void add_hessian(const ElementChunk& chunk,
+                                   const BlockCoefficients<Dim, Pack>& coefficients, const Mat<Dim, Pack>& U,
+                                   const Mat<Dim, Pack>& V, double* H, int i) {
+  Pack g[Nodes][Dim];
+  for (int a = 1; a < Nodes; ++a) {
+    Pack b[Dim];
+    for (int c = 0; c < Dim; ++c) b[c] = entry(chunk.gradients, chunk.stride, a * Dim + c, i);
+    projection::rotate_gradient(V, b, g[a]);
+  }
+  // Row sums vanish: the blocks of node 0 are minus sums of the others'.
+  Mat<Dim, Pack> with_first[Nodes];
+  for (int a = 0; a < Nodes; ++a)
+    for (int r = 0; r < Dim; ++r)
+      for (int s = 0; s < Dim; ++s) with_first[a][r][s] = Pack(0.0);
+  for (int a = 1; a < Nodes; ++a)
+    for (int b = a; b < Nodes; ++b) {
+      const Mat<Dim, Pack> K = coefficients.block(U, g[a], g[b]);
+      for (int r = 0; r < Dim; ++r)
+        for (int s = 0; s < Dim; ++s) {
+          add_entry(H, chunk.stride, block_index<Nodes>(a, b) * Dim * Dim + r * Dim + s, i, K[r][s]);
+          with_first[b][r][s] = with_first[b][r][s] - K[r][s];
+          if (a != b) with_first[a][r][s] = with_first[a][r][s] - K[s][r];
+        }
+    }
+  for (int b = 1; b < Nodes; ++b)
+    for (int r = 0; r < Dim; ++r)
+      for (int s = 0; s < Dim; ++s) {
+        add_entry(H, chunk.stride, b * Dim * Dim + r * Dim + s, i, with_first[b][r][s]);
+        with_first[0][r][s] = with_first[0][r][s] - with_first[b][r][s];
+      }
+  for (int r = 0; r < Dim; ++r)
+    for (int s = 0; s < Dim; ++s)
+      add_entry(H, chunk.stride, r * Dim + s, i,
+                r <= s ? with_first[0][r][s] : with_first[0][s][r]);  // symmetric to the last bit
+}
+
+template <int Dim, int Nodes>
+ISOSTRETCH_INLINE void add_gradient(const ElementChunk& chunk, const Mat<Dim, Pack>& P, Pack weight,
+                                    double* G, int i) {
+  Pack first[Dim];
+  for (int r = 0; r < Dim; ++r) first[r] = Pack(0.0);
+  for (int a = 1; a < Nodes; ++a) {
+    Pack b[Dim];
+    for (int c = 0; c < Dim; ++c) b[c] = weight * entry(chunk.gradients, chunk.stride, a * Dim + c, i);
+    for (int r = 0; r < Dim; ++r) {
+      Pack sum = P[r][0] * b[0];
+      for (int c = 1; c < Dim; ++c) sum = fma(P[r][c], b[c], sum);
+      add_entry(G, chunk.stride, a * Dim + r, i, sum);
+      first[r] = first[r] - sum;
+    }
+  }
+  for (int r = 0; r < Dim; ++r) add_entry(G, chunk.stride, r, i, first[r]);
+}
+
+template <int Dim, int Nodes>
+int differentiate(const ElementChunk& chunk, const PointChunk& points,
+                  const projection::FilterOptions& filter, bool coupled, double* G, double* H) {
+  int filtered = 0;
+  for (int i = 0; i < chunk.count; i += lanes) {
+    const Mat<Dim, Pack> U = projection::load_matrix<Dim>(points.U, points.stride, i);
+    const Mat<Dim, Pack> V = projection::load_matrix<Dim>(points.V, points.stride, i);
+    auto d = projection::load_derivatives<Dim>(points.stretch, i);
+    const Pack weight = load<Pack>(chunk.weights + i);
+    add_gradient<Dim, Nodes>(chunk, projection::pk1(U, d.gradient, V), weight, G, i);
+    if (H == nullptr) continue;
+    double changed[lanes];
+    store(changed, select(projection::apply_filter(filter, d, coupled), Pack(1.0), Pack(0.0)));
+    for (int k = 0; k < lanes && i + k < chunk.real; ++k) filtered += changed[k] != 0.0;
+    add_hessian<Dim, Nodes>(chunk, BlockCoefficients<Dim, Pack>(d, weight), U, V, H, i);
+  }
+  return filtered;
+}
+
+template <int Dim, int Nodes>
+void determinant(const ElementChunk& chunk, const double* X, const double* DX, double* coefficients) {
+  for (int i = 0; i < chunk.count; i += lanes) {
+    const Mat<Dim, Pack> F = gradient_of<Dim, Nodes>(chunk, X, i), D = gradient_of<Dim, Nodes>(chunk, DX, i);
+    const auto put = [&](int e, Pack value) {
+      store(coefficients + static_cast<std::size_t>(e) * chunk.stride + i, value);
+    };
+    if constexpr (Dim == 2) {
+      put(0, product_difference(F[0][0], F[1][1], F[0][1], F[1][0]));
+      put(1, product_difference(F[0][0], D[1][1], F[0][1], D[1][0]) +
+                 product_difference(D[0][0], F[1][1], D[0][1], F[1][0]));
+      put(2, product_difference(D[0][0], D[1][1], D[0][1], D[1][0]));
+    } else {
+      const auto triple = [](const Mat<3, Pack>& A, const Mat<3, Pack>& B, const Mat<3, Pack>& C) {
+        // Columns 0 of A, 1 of B, 2 of C.
+        const Pack x = product_difference(B[1][1], C[2][2], B[2][1], C[1][2]);
+        const Pack y = product_difference(B[2][1], C[0][2], B[0][1], C[2][2]);
+        const Pack z = product_difference(B[0][1], C[1][2], B[1][1], C[0][2]);
+        return fma(A[0][0], x, fma(A[1][0], y, A[2][0] * z));
+      };
+      put(0, triple(F, F, F));
+      put(1, triple(D, F, F) + triple(F, D, F) + triple(F, F, D));
+      put(2, triple(F, D, D) + triple(D, F, D) + triple(D, D, F));
+      put(3, triple(D, D, D));
+    }
+  }
+}
+
+template <int Dim, int Nodes>
+constexpr ElementKernels kernels_for() {
+  return {Nodes, gather<Dim, Nodes>, deform<Dim, Nodes>, differentiate<Dim, Nodes>, determinant<Dim, Nodes>};
+}
+
+}  // namespace
+
+extern const AssemblyKernels assembly_kernels;
+const AssemblyKernels assembly_kernels = {{kernels_for<2, 3>(), kernels_for<2, 6>()},
+                                          {kernels_for<3, 4>(), kernels_for<3, 8>(), kernels_for<3, 10>()}};
+
+}  // namespace isostretch::assembly::ISOSTRETCH_KERNELS

@@ -1,0 +1,69 @@
+#include <isostretch/assembly/elements.hpp>
+#include <isostretch/core/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace isostretch::assembly {
+namespace {
+
+std::string element_name(std::size_t element) {
+  return "element " + std::to_string(element);
+}
+
+void require_sizes(const Elements& e) {
+  if (e.dim != 2 && e.dim != 3) throw Error("elements of dim " + std::to_string(e.dim) + ": dim is 2 or 3");
+  const int n = e.nodes_per_element;
+  const bool known = e.dim == 2 ? n == 3 || n == 6 : n == 4 || n == 8 || n == 10;
+  if (!known)
+    throw Error("elements of " + std::to_string(n) + " nodes in " + std::to_string(e.dim) +
+                "D: there are 3 and 6 in 2D, 4, 8 and 10 in 3D");
+  if (e.points_per_element < 1) throw Error("elements without quadrature points");
+  const std::size_t count = static_cast<std::size_t>(e.element_count());
+  const std::size_t points = count * static_cast<std::size_t>(e.points_per_element);
+  if (e.nodes.size() != count * static_cast<std::size_t>(n))
+    throw Error("node array of " + std::to_string(e.nodes.size()) + " entries is not a multiple of " +
+                std::to_string(n));
+  if (e.weights.size() != points)
+    throw Error(std::to_string(e.weights.size()) + " weights for " + std::to_string(points) +
+                " quadrature points");
+  if (e.gradients.size() != points * static_cast<std::size_t>(n * e.dim))
+    throw Error(std::to_string(e.gradients.size()) + " gradient entries for " + std::to_string(points) +
+                " quadrature points of " + std::to_string(n) + " nodes");
+}
+
+void require_balanced(const Elements& e, std::size_t point, const std::string& name) {
+  const double* g = e.gradients.data() + point * static_cast<std::size_t>(e.nodes_per_element * e.dim);
+  double largest = 0;
+  for (int c = 0; c < e.dim; ++c) {
+    double sum = 0;
+    for (int a = 0; a < e.nodes_per_element; ++a) {
+      const double value = g[a * e.dim + c];
+      if (!std::isfinite(value))
+        throw Error(name + ": gradient of node " + std::to_string(a) + " is not finite");
+      sum += value;
+      largest = std::max(largest, std::abs(value));
+    }
+    if (std::abs(sum) > 1e-9 * largest) throw Error(name + ": gradients do not add up to zero");
+  }
+}
+
+}  // namespace
+
+void Elements::validate() const {
+  require_sizes(*this);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i] < 0 || nodes[i] >= node_count)
+      throw Error(element_name(i / static_cast<std::size_t>(nodes_per_element)) + ": node " +
+                  std::to_string(nodes[i]) + " is not among the " + std::to_string(node_count) +
+                  " there are");
+  for (std::size_t point = 0; point < weights.size(); ++point) {
+    const std::string name = element_name(point / static_cast<std::size_t>(points_per_element));
+    if (!(weights[point] > 0) || !std::isfinite(weights[point]))
+      throw Error(name + ": weight " + std::to_string(weights[point]) + " is not positive and finite");
+    require_balanced(*this, point, name);
+  }
+}
+
+}  // namespace isostretch::assembly

@@ -1,0 +1,304 @@
+#include "assembler_kernels.hpp"
+
+#include <isostretch/assembly/energy_assembler.hpp>
+#include <isostretch/core/arena.hpp>
+#include <isostretch/core/error.hpp>
+
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace isostretch::assembly {
+namespace {
+
+using projection::PointChunk;
+
+std::size_t size(int n) {
+  return static_cast<std::size_t>(n);
+}
+
+int block_count(int nodes) {
+  return nodes * (nodes + 1) / 2;
+}
+
+// Scratch of one thread, laid out once.
+struct Workspace {
+  Workspace(int dim, int nodes)
+      : arena(sizeof(double) *
+              (projection::point_chunk_doubles(dim) +
+               size(projection::chunk_size(dim)) * size(3 * nodes * dim + block_count(nodes) * dim * dim) +
+               64)),
+        points(projection::bind_point_chunk(dim, arena.doubles(projection::point_chunk_doubles(dim)))) {
+    const std::size_t chunk = size(projection::chunk_size(dim));
+    X = arena.doubles(chunk * size(nodes * dim));
+    DX = arena.doubles(chunk * size(nodes * dim));
+    G = arena.doubles(chunk * size(nodes * dim));
+    H = arena.doubles(chunk * size(block_count(nodes) * dim * dim));
+  }
+
+  Arena arena;
+  PointChunk points;
+  double* X;
+  double* DX;
+  double* G;
+  double* H;
+};
+
+}  // namespace
+
+EnergyAssembler::EnergyAssembler(const Elements& elements, energies::AnyEnergy energy)
+    : energy_(std::move(energy)),
+      dim_(elements.dim),
+      nodes_(elements.nodes_per_element),
+      points_(elements.points_per_element),
+      node_count_(elements.node_count),
+      element_count_(elements.element_count()) {
+  elements.validate();
+  if (!energy_.supports(dim_))
+    throw Error("energy '" + energy_.name() + "' does not exist in " + std::to_string(dim_) + "D");
+  chunk_ = projection::chunk_size(dim_);
+  chunk_count_ = (element_count_ + chunk_ - 1) / chunk_;
+  nodes_of_element_ = elements.nodes;
+  chunk_elements(elements);
+  index_gradient();
+}
+
+void EnergyAssembler::chunk_elements(const Elements& elements) {
+  const std::size_t chunks = size(chunk_count_), lanes = size(chunk_);
+  chunk_nodes_.resize(chunks * size(nodes_) * lanes);
+  chunk_gradients_.resize(chunks * size(points_ * nodes_ * dim_) * lanes);
+  chunk_weights_.resize(chunks * size(points_) * lanes);
+  for (std::size_t c = 0; c < chunks; ++c)
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const std::size_t e = std::min(c * lanes + lane, size(element_count_) - 1);
+      for (std::size_t a = 0; a < size(nodes_); ++a)
+        chunk_nodes_[(c * size(nodes_) + a) * lanes + lane] = elements.nodes[e * size(nodes_) + a];
+      for (std::size_t p = 0; p < size(points_); ++p) {
+        const std::size_t from = e * size(points_) + p, to = c * size(points_) + p;
+        chunk_weights_[to * lanes + lane] = elements.weights[from];
+        for (std::size_t k = 0; k < size(nodes_ * dim_); ++k)
+          chunk_gradients_[(to * size(nodes_ * dim_) + k) * lanes + lane] =
+              elements.gradients[from * size(nodes_ * dim_) + k];
+      }
+    }
+}
+
+void EnergyAssembler::index_gradient() {
+  gradient_start_.assign(size(node_count_) + 1, 0);
+  for (const int node : nodes_of_element_) ++gradient_start_[size(node) + 1];
+  for (std::size_t i = 0; i < size(node_count_); ++i) gradient_start_[i + 1] += gradient_start_[i];
+  gradient_index_.resize(nodes_of_element_.size());
+  std::vector<std::size_t> next(gradient_start_.begin(), gradient_start_.end() - 1);
+  for (std::size_t k = 0; k < nodes_of_element_.size(); ++k)
+    gradient_index_[next[size(nodes_of_element_[k])]++] = k * size(dim_);
+}
+
+void EnergyAssembler::add_to(PatternBuilder& builder) const {
+  for (int e = 0; e < element_count_; ++e)
+    builder.add_clique(nodes_of_element_.data() + size(e * nodes_), nodes_);
+}
+
+void EnergyAssembler::bind(const HessianPattern& pattern) {
+  pattern_ = &pattern;
+  const std::size_t blocks = size(block_count(nodes_)), entries = size(dim_ * dim_);
+  std::vector<std::pair<std::size_t, Contribution>> found;
+  found.reserve(size(element_count_) * blocks);
+  for (std::size_t e = 0; e < size(element_count_); ++e) {
+    const int* nodes = nodes_of_element_.data() + e * size(nodes_);
+    std::size_t slot = e * blocks;
+    for (int a = 0; a < nodes_; ++a)
+      for (int b = a; b < nodes_; ++b, ++slot)
+        // Slots hold (row of a, column of b); the pattern wants the larger node in the rows.
+        found.push_back({pattern.block(nodes[a], nodes[b]), {slot * entries, nodes[a] < nodes[b]}});
+  }
+  contribution_start_.assign(pattern.block_count() + 1, 0);
+  for (const auto& [block, contribution] : found) ++contribution_start_[block + 1];
+  for (std::size_t i = 0; i < pattern.block_count(); ++i)
+    contribution_start_[i + 1] += contribution_start_[i];
+  contributions_.resize(found.size());
+  std::vector<std::size_t> next(contribution_start_.begin(), contribution_start_.end() - 1);
+  for (const auto& [block, contribution] : found) contributions_[next[block]++] = contribution;
+  touched_blocks_.clear();
+  for (std::size_t i = 0; i < pattern.block_count(); ++i)
+    if (contribution_start_[i] < contribution_start_[i + 1]) touched_blocks_.push_back(i);
+}
+
+// body(kernels, workspace, chunk, point, element chunk) for every quadrature point of every chunk, points of
+// one chunk in order on one thread.
+template <class Body>
+void EnergyAssembler::for_each_chunk(const Body& body) const {
+  const ElementKernels& kernels = element_kernels(dim_, nodes_);
+  const std::size_t lanes = size(chunk_);
+#pragma omp parallel
+  {
+    Workspace work(dim_, nodes_);
+#pragma omp for schedule(static)
+    for (int c = 0; c < chunk_count_; ++c) {
+      ElementChunk chunk{};
+      chunk.real = std::min(chunk_, element_count_ - c * chunk_);
+      chunk.count = (chunk.real + 7) / 8 * 8;
+      chunk.stride = lanes;
+      chunk.nodes = chunk_nodes_.data() + size(c * nodes_) * lanes;
+      work.points.count = work.points.stretch.count = chunk.count;
+      for (int p = 0; p < points_; ++p) {
+        const std::size_t point = size(c) * size(points_) + size(p);
+        chunk.gradients = chunk_gradients_.data() + point * size(nodes_ * dim_) * lanes;
+        chunk.weights = chunk_weights_.data() + point * lanes;
+        body(kernels, work, c, p, chunk);
+      }
+    }
+  }
+}
+
+namespace {
+
+// sum of weight * psi over the real points of a chunk, in a fixed order.
+double weighted_sum(const ElementChunk& chunk, const PointChunk& points) {
+  double sum = 0;
+  for (int i = 0; i < chunk.real; ++i) sum += chunk.weights[i] * points.stretch.psi[i];
+  return sum;
+}
+
+Evaluation total(const std::vector<double>& chunk_values) {
+  Evaluation result;
+  for (const double value : chunk_values) result.value += value;
+  return result;
+}
+
+}  // namespace
+
+Evaluation EnergyAssembler::value(const double* x) {
+  chunk_values_.assign(size(chunk_count_), 0.0);
+  std::vector<int> worst(size(chunk_count_), -1);
+  for_each_chunk(
+      [&](const ElementKernels& kernels, Workspace& work, int c, int p, const ElementChunk& chunk) {
+        if (p == 0) kernels.gather(chunk, x, work.X);
+        kernels.deform(chunk, work.X, work.points, false);
+        energy_.evaluate_psi(dim_, work.points.stretch);
+        chunk_values_[size(c)] += weighted_sum(chunk, work.points);
+        for (int i = 0; i < chunk.real && worst[size(c)] < 0; ++i)
+          if (!std::isfinite(work.points.stretch.psi[i])) worst[size(c)] = c * chunk_ + i;
+      });
+  Evaluation result = total(chunk_values_);
+  for (const int element : worst)
+    if (element >= 0) {
+      result.worst_element = element;
+      break;
+    }
+  if (result.worst_element >= 0) result.value = std::numeric_limits<double>::infinity();
+  result.points = point_count();
+  return result;
+}
+
+Evaluation EnergyAssembler::differentiate(const double* x, const projection::FilterOptions& filter,
+                                          double* gradient, bool hessian) {
+  const std::size_t per_element = size(nodes_ * dim_), blocks = size(block_count(nodes_) * dim_ * dim_);
+  gradient_slots_.resize(size(element_count_) * per_element);
+  if (hessian) hessian_slots_.resize(size(element_count_) * blocks);
+  chunk_values_.assign(size(chunk_count_), 0.0);
+  std::vector<int> worst(size(chunk_count_), -1), filtered(size(chunk_count_), 0);
+  for_each_chunk(
+      [&](const ElementKernels& kernels, Workspace& work, int c, int p, const ElementChunk& chunk) {
+        if (p == 0) {
+          kernels.gather(chunk, x, work.X);
+          std::fill_n(work.G, per_element * chunk.stride, 0.0);
+          if (hessian) std::fill_n(work.H, blocks * chunk.stride, 0.0);
+        }
+        kernels.deform(chunk, work.X, work.points, true);
+        energy_.evaluate_derivatives(dim_, work.points.stretch);
+        chunk_values_[size(c)] += weighted_sum(chunk, work.points);
+        for (int i = 0; i < chunk.real && worst[size(c)] < 0; ++i)
+          if (!std::isfinite(work.points.stretch.psi[i])) worst[size(c)] = c * chunk_ + i;
+        filtered[size(c)] += kernels.differentiate(chunk, work.points, filter, energy_.coupled(), work.G,
+                                                   hessian ? work.H : nullptr);
+        if (p + 1 < points_) return;
+        // Out of the chunk's order into one contiguous slot per element, which the gather pass reads.
+        const std::size_t first = size(c * chunk_);
+        for (std::size_t i = 0; i < size(chunk.real); ++i) {
+          double* g = gradient_slots_.data() + (first + i) * per_element;
+          for (std::size_t k = 0; k < per_element; ++k) g[k] = work.G[k * chunk.stride + i];
+          if (!hessian) continue;
+          double* h = hessian_slots_.data() + (first + i) * blocks;
+          for (std::size_t k = 0; k < blocks; ++k) h[k] = work.H[k * chunk.stride + i];
+        }
+      });
+  Evaluation result = total(chunk_values_);
+  result.points = point_count();
+  for (std::size_t c = 0; c < size(chunk_count_); ++c) {
+    result.points_filtered += size(filtered[c]);
+    if (worst[c] >= 0 && result.worst_element < 0) result.worst_element = worst[c];
+  }
+  if (result.worst_element >= 0) {
+    result.value = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  if (gradient == nullptr) return result;
+#pragma omp parallel for schedule(static)
+  for (int node = 0; node < node_count_; ++node) {
+    std::array<double, 3> sum{};
+    for (std::size_t k = gradient_start_[size(node)]; k < gradient_start_[size(node) + 1]; ++k)
+      for (std::size_t d = 0; d < size(dim_); ++d) sum[d] += gradient_slots_[gradient_index_[k] + d];
+    for (std::size_t d = 0; d < size(dim_); ++d) gradient[size(node * dim_) + d] += sum[d];
+  }
+  return result;
+}
+
+void EnergyAssembler::add_hessian(double* values) const {
+  if (pattern_ == nullptr) throw Error("add_hessian() before bind()");
+  const int entries = dim_ * dim_;
+#pragma omp parallel for schedule(static)
+  for (std::size_t t = 0; t < touched_blocks_.size(); ++t) {
+    const std::size_t block = touched_blocks_[t];
+    std::array<double, 9> sum{};
+    for (std::size_t k = contribution_start_[block]; k < contribution_start_[block + 1]; ++k) {
+      const double* slot = hessian_slots_.data() + contributions_[k].slot;
+      if (contributions_[k].transposed) {
+        for (int r = 0; r < dim_; ++r)
+          for (int s = 0; s < dim_; ++s) sum[size(r * dim_ + s)] += slot[s * dim_ + r];
+      } else {
+        for (int e = 0; e < entries; ++e) sum[size(e)] += slot[e];
+      }
+    }
+    const int* positions = pattern_->positions(block);
+    for (int e = 0; e < entries; ++e)
+      if (positions[e] >= 0) values[positions[e]] += sum[size(e)];
+  }
+}
+
+double EnergyAssembler::max_step(const double* x, const double* dx, double limit) const {
+  if (!energy_.has_barrier()) return limit;
+  const double bound = energy_.determinant_bound();
+  std::vector<double> steps(size(chunk_count_), limit);
+  for_each_chunk(
+      [&](const ElementKernels& kernels, Workspace& work, int c, int p, const ElementChunk& chunk) {
+        if (p == 0) {
+          kernels.gather(chunk, x, work.X);
+          kernels.gather(chunk, dx, work.DX);
+        }
+        kernels.determinant(chunk, work.X, work.DX, work.points.F);
+        for (int i = 0; i < chunk.real; ++i)
+          steps[size(c)] = determinant_step(dim_, work.points.F + i, chunk.stride, bound, steps[size(c)]);
+      });
+  return *std::min_element(steps.begin(), steps.end());
+}
+
+std::vector<double> EnergyAssembler::stretches(const double* x) const {
+  std::vector<double> sigma(point_count() * size(dim_));
+  for_each_chunk(
+      [&](const ElementKernels& kernels, Workspace& work, int c, int p, const ElementChunk& chunk) {
+        if (p == 0) kernels.gather(chunk, x, work.X);
+        kernels.deform(chunk, work.X, work.points, false);
+        for (int i = 0; i < chunk.real; ++i)
+          for (int d = 0; d < dim_; ++d)
+            sigma[(size(c * chunk_ + i) * size(points_) + size(p)) * size(dim_) + size(d)] =
+                work.points.sigma[size(d) * chunk.stride + size(i)];
+      });
+  return sigma;
+}
+
+}  // namespace isostretch::assembly

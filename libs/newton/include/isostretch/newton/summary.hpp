@@ -1,0 +1,77 @@
+#pragma once
+
+#include <isostretch/projection/filter.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isostretch::newton {
+
+enum class Status {
+  not_run,
+  converged_gradient,         // gradient_tolerance
+  converged_scaled_gradient,  // scaled_gradient_tolerance
+  converged_decrement,        // decrement_tolerance
+  converged_energy,           // relative_energy_tolerance
+  converged_roundoff,         // no step lowers the energy by more than its rounding
+  stopped_iterations,
+  stopped_time,
+  stopped_by_callback,
+  failed_start,          // energy or gradient not finite at the start
+  failed_factorization,  // not even the fully filtered and shifted Hessian factorises
+  failed_line_search,    // no step along a descent direction lowers the energy
+};
+
+std::string_view status_name(Status status) noexcept;
+bool converged(Status status) noexcept;
+bool failed(Status status) noexcept;
+
+// One row of the trace. Row 0 is the start.
+struct Iteration {
+  int iteration = 0;
+  double seconds = 0;  // since the solve began
+  double energy = 0;
+  double gradient_inf_norm = 0;
+  double step = 0;             // of the line search
+  double decrement = 0;        // 1/2 gradient . H^-1 gradient of the step that led here
+  double filter_strength = 0;  // 0: exact Hessian, 1: fully filtered
+  std::size_t points_filtered = 0;
+  int factorizations = 0;  // tried for this step
+  int evaluations = 0;     // of the energy, by the line search
+};
+
+// Wall-clock seconds by phase.
+struct Seconds {
+  double total = 0;
+  double setup = 0;     // pattern and symbolic factorization
+  double assembly = 0;  // energy, gradient, filtered Hessian, filled matrix
+  double factorization = 0;
+  double solve = 0;
+  double line_search = 0;
+};
+
+struct Summary {
+  Status status = Status::not_run;
+  std::string message = "minimize() was not called";
+  int iterations = 0;
+  int factorizations = 0;         // tried
+  int failed_factorizations = 0;  // of these, not positive definite
+  int energy_evaluations = 0;
+  double initial_energy = std::numeric_limits<double>::quiet_NaN();
+  double energy = std::numeric_limits<double>::quiet_NaN();
+  double gradient_inf_norm = std::numeric_limits<double>::quiet_NaN();
+  Seconds seconds;
+  std::string solver;  // back end and ordering at work
+  double factor_nonzeros = 0;
+  std::vector<Iteration> trace;
+
+  bool converged() const { return newton::converged(status); }
+  // One line, and all there is to say; both are functions of the struct alone.
+  std::string brief_report() const;
+  std::string full_report() const;
+};
+
+}  // namespace isostretch::newton

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <isostretch/assembly/energy_assembler.hpp>
+#include <isostretch/assembly/hessian_pattern.hpp>
+#include <isostretch/projection/filter.hpp>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace isostretch::newton {
+
+using assembly::Evaluation;
+
+// One summand of an objective over node positions x, a vector of dim * node_count entries, node by node.
+// Virtual once per call; all loops are inside.
+class Term {
+ public:
+  virtual ~Term();
+
+  // Pairs of nodes that the Hessian couples, and the pattern made of all terms' pairs (which outlives the
+  // term's use).
+  virtual void add_to(assembly::PatternBuilder& builder) const = 0;
+  virtual void bind(const assembly::HessianPattern& pattern) = 0;
+
+  // +infinity outside the domain.
+  virtual Evaluation value(const Eigen::VectorXd& x) = 0;
+  // Adds to the gradient; with hessian, prepares add_hessian(). Where the value is infinite nothing is added.
+  virtual Evaluation differentiate(const Eigen::VectorXd& x, const projection::FilterOptions& filter,
+                                   Eigen::VectorXd& gradient, bool hessian) = 0;
+  // Adds the Hessian of the last differentiate() to matrix values with the bound pattern.
+  virtual void add_hessian(double* values) const = 0;
+
+  // Largest t <= limit for which x + s dx is in the domain for all 0 <= s < t.
+  virtual double max_step(const Eigen::VectorXd& x, const Eigen::VectorXd& dx, double limit) const;
+};
+
+// sum over quadrature points of weight * psi(F).
+class EnergyTerm final : public Term {
+ public:
+  EnergyTerm(const assembly::Elements& elements, energies::AnyEnergy energy);
+
+  void add_to(assembly::PatternBuilder& builder) const override;
+  void bind(const assembly::HessianPattern& pattern) override;
+  Evaluation value(const Eigen::VectorXd& x) override;
+  Evaluation differentiate(const Eigen::VectorXd& x, const projection::FilterOptions& filter,
+                           Eigen::VectorXd& gradient, bool hessian) override;
+  void add_hessian(double* values) const override;
+  double max_step(const Eigen::VectorXd& x, const Eigen::VectorXd& dx, double limit) const override;
+
+  const assembly::EnergyAssembler& assembler() const { return assembler_; }
+
+ private:
+  assembly::EnergyAssembler assembler_;
+};
+
+struct SoftPin {
+  int node = -1;
+  Eigen::VectorXd target;  // dim entries
+  double weight = 1;
+};
+
+// sum over pins of weight |x_node - target|^2.
+class SoftPinTerm final : public Term {
+ public:
+  // Throws Error naming the pin when its node is out of range, its target has the wrong size or is not
+  // finite, or its weight is not positive.
+  SoftPinTerm(int dim, int node_count, std::vector<SoftPin> pins);
+
+  void add_to(assembly::PatternBuilder& builder) const override;
+  void bind(const assembly::HessianPattern& pattern) override;
+  Evaluation value(const Eigen::VectorXd& x) override;
+  Evaluation differentiate(const Eigen::VectorXd& x, const projection::FilterOptions& filter,
+                           Eigen::VectorXd& gradient, bool hessian) override;
+  void add_hessian(double* values) const override;
+
+ private:
+  int dim_;
+  std::vector<SoftPin> pins_;
+  const assembly::HessianPattern* pattern_ = nullptr;
+};
+
+}  // namespace isostretch::newton

@@ -1,0 +1,39 @@
+#include "line_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isostretch::newton {
+namespace {
+
+// Rounding of a sum of many terms: a few units of relative precision, never the worst case.
+constexpr double energy_rounding = 2e-14;
+
+}  // namespace
+
+LineSearchResult search_line(Objective& objective, const Eigen::VectorXd& x, const Eigen::VectorXd& d,
+                             double energy, double slope, const Options& options, Eigen::VectorXd& trial) {
+  LineSearchResult result;
+  const double limit = 1.0 / options.domain_fraction;
+  double step = std::min(1.0, options.domain_fraction * objective.max_step(x, d, limit));
+  const double noise = energy_rounding * std::abs(energy);
+  for (int i = 0; i < options.max_backtracks; ++i, step *= options.backtracking_factor) {
+    trial = x + step * d;
+    const double value = objective.value(trial).value;
+    ++result.evaluations;
+    const bool anything = options.line_search == LineSearch::none;
+    const bool gained = value <= energy + options.armijo * step * slope;
+    // Near the end the promise drowns in the rounding of E: equality then is all that can be asked.
+    result.at_roundoff = -step * slope < 4 * noise;
+    if (std::isfinite(value) && (anything || gained || (result.at_roundoff && value <= energy + noise))) {
+      result.accepted = true;
+      result.step = step;
+      result.energy = value;
+      return result;
+    }
+    if (result.at_roundoff) return result;
+  }
+  return result;
+}
+
+}  // namespace isostretch::newton

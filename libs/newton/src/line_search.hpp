@@ -1,0 +1,22 @@
+#pragma once
+
+#include <isostretch/newton/objective.hpp>
+#include <isostretch/newton/options.hpp>
+
+namespace isostretch::newton {
+
+struct LineSearchResult {
+  bool accepted = false;
+  bool at_roundoff =
+      false;  // accepted although, or refused because, the promised gain is below the rounding of E
+  double step = 0;
+  double energy = 0;
+  int evaluations = 0;
+};
+
+// Finds a step along the descent direction d (slope = gradient . d < 0) from x with that energy; `trial` is x
+// + step d when accepted. Only energies are evaluated.
+LineSearchResult search_line(Objective& objective, const Eigen::VectorXd& x, const Eigen::VectorXd& d,
+                             double energy, double slope, const Options& options, Eigen::VectorXd& trial);
+
+}  // namespace isostretch::newton

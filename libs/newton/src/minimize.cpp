@@ -1,0 +1,255 @@
+#include "hessian_policy.hpp"
+#include "line_search.hpp"
+
+#include <isostretch/core/error.hpp>
+#include <isostretch/core/log.hpp>
+#include <isostretch/core/timer.hpp>
+#include <isostretch/newton/minimize.hpp>
+#include <isostretch/sparse/solver.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace isostretch::newton {
+namespace {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double bounding_box_diagonal(const Eigen::VectorXd& x, int dim) {
+  const Eigen::Map<const Eigen::MatrixXd> nodes(x.data(), dim, x.size() / dim);
+  return (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm();
+}
+
+// One solve, from start to summary.
+class Minimizer {
+ public:
+  Minimizer(Objective& objective, Eigen::VectorXd& x, const Options& options,
+            const IterationCallback& callback)
+      : objective_(objective), x_(x), options_(options), callback_(callback), policy_(options) {}
+
+  Summary run() {
+    if (!start()) return finish();
+    while (!stop_before_step() && take_step()) {
+    }
+    return finish();
+  }
+
+ private:
+  bool start() {
+    if (!x_.allFinite()) return end(Status::failed_start, "the start has positions that are not finite");
+    {
+      const ScopedTimer timer(summary_.seconds.setup);
+      matrix_ = objective_.pattern().zero_matrix();
+      diagonal_.reserve(static_cast<std::size_t>(matrix_.size));
+      if (matrix_.size > 0) {
+        solver_ = sparse::make_solver(options_.solver);
+        solver_->analyze(matrix_);
+      }
+    }
+    filter_ = policy_.first();
+    const Evaluation at = differentiate();
+    summary_.initial_energy = summary_.energy = at.value;
+    if (!std::isfinite(at.value))
+      return end(Status::failed_start,
+                 "the energy is not finite at the start" +
+                     (at.worst_element >= 0 ? ": first at element " + std::to_string(at.worst_element)
+                                            : std::string()));
+    if (!gradient_.allFinite()) return end(Status::failed_start, "the gradient is not finite at the start");
+    Iteration row;
+    row.energy = at.value;
+    return record(row);
+  }
+
+  // Energy, gradient and the Hessian as filter_ wants it, at x_.
+  Evaluation differentiate() {
+    const ScopedTimer timer(summary_.seconds.assembly);
+    const Evaluation at = objective_.differentiate(x_, filter_, gradient_, true);
+    points_filtered_ = at.points_filtered;
+    if (std::isfinite(at.value)) {
+      objective_.hessian(matrix_);
+      collect_diagonal();
+    }
+    return at;
+  }
+
+  void collect_diagonal() {
+    diagonal_.clear();
+    for (int j = 0; j < matrix_.size; ++j)
+      diagonal_.push_back(std::abs(
+          matrix_.value[static_cast<std::size_t>(matrix_.column_start[static_cast<std::size_t>(j)])]));
+    typical_stiffness_ = median(diagonal_);
+  }
+
+  bool record(Iteration row) {
+    row.seconds = timer_.seconds();
+    row.gradient_inf_norm = summary_.gradient_inf_norm =
+        gradient_.size() ? gradient_.cwiseAbs().maxCoeff() : 0.0;
+    summary_.trace.push_back(row);
+    if (callback_ && callback_(row, x_) == CallbackAction::stop)
+      return end(Status::stopped_by_callback, "stopped by the callback");
+    return true;
+  }
+
+  bool stop_before_step() {
+    if (summary_.status != Status::not_run) return true;
+    const double norm = summary_.gradient_inf_norm;
+    if (matrix_.size == 0) return !end(Status::converged_gradient, "every degree of freedom is pinned");
+    if (options_.gradient_tolerance > 0 && norm <= options_.gradient_tolerance)
+      return !end(Status::converged_gradient, "|gradient|_inf is within gradient_tolerance");
+    const double scale = typical_stiffness_ * bounding_box_diagonal(x_, objective_.dim());
+    if (options_.scaled_gradient_tolerance > 0 && norm <= options_.scaled_gradient_tolerance * scale)
+      return !end(Status::converged_scaled_gradient, "|gradient|_inf is within scaled_gradient_tolerance");
+    if (norm == 0) return !end(Status::converged_gradient, "the gradient is zero");
+    if (summary_.iterations >= options_.max_iterations)
+      return !end(Status::stopped_iterations, "max_iterations reached");
+    if (options_.time_limit > 0 && timer_.seconds() >= options_.time_limit)
+      return !end(Status::stopped_time, "time_limit reached");
+    return false;
+  }
+
+  // Factorises the Hessian at x_, filtering more or shifting until it succeeds.
+  bool factorize(Iteration& row) {
+    double shift = options_.relative_shift * typical_stiffness_;
+    for (int shifts = 0;;) {
+      sparse::FactorResult result;
+      {
+        const ScopedTimer timer(summary_.seconds.factorization);
+        if (shift > 0)
+          for (int j = 0; j < matrix_.size; ++j)
+            matrix_.value[static_cast<std::size_t>(matrix_.column_start[static_cast<std::size_t>(j)])] +=
+                shift;
+        result = solver_->factorize(matrix_);
+      }
+      ++row.factorizations;
+      ++summary_.factorizations;
+      if (result) return true;
+      ++summary_.failed_factorizations;
+      if (result.status != sparse::FactorStatus::not_positive_definite)
+        return end(Status::failed_factorization, result.message);
+      if (policy_.stronger(filter_)) {
+        differentiate();
+        continue;
+      }
+      if (++shifts > options_.max_shifts)
+        return end(Status::failed_factorization,
+                   "the Hessian is not positive definite with a diagonal shift of " + std::to_string(shift));
+      shift = std::max(100 * shift, 1e-12 * typical_stiffness_);
+      if (log_enabled()) log(LogLevel::debug, "shifting the Hessian after a failed factorization");
+    }
+  }
+
+  // Newton direction over all degrees of freedom.
+  bool solve() {
+    const ScopedTimer timer(summary_.seconds.solve);
+    const auto& unknowns = objective_.pattern().unknowns();
+    Eigen::VectorXd right(unknowns.size()), solution;
+    for (int i = 0; i < unknowns.size(); ++i) right[i] = -gradient_[unknowns.dof(i)];
+    const sparse::SolveResult result = solver_->solve(right, solution);
+    if (!result && result.status != sparse::SolveStatus::not_converged)
+      return end(Status::failed_factorization, result.message);
+    direction_.setZero(objective_.dofs());
+    for (int i = 0; i < unknowns.size(); ++i) direction_[unknowns.dof(i)] = solution[i];
+    return true;
+  }
+
+  bool take_step() {
+    Iteration row;
+    row.iteration = summary_.iterations + 1;
+    if (!factorize(row) || !solve()) return false;
+    const double slope = gradient_.dot(direction_);
+    row.decrement = -0.5 * slope;
+    row.filter_strength = filter_.filter == projection::Filter::none ? 0.0 : filter_.strength;
+    row.points_filtered = points_filtered_;
+    if (!(slope < 0)) return end(Status::failed_line_search, "the Newton direction does not descend");
+    if (options_.decrement_tolerance > 0 && row.decrement <= options_.decrement_tolerance)
+      return end(Status::converged_decrement, "the Newton decrement is within decrement_tolerance");
+    LineSearchResult search;
+    {
+      const ScopedTimer timer(summary_.seconds.line_search);
+      search = search_line(objective_, x_, direction_, summary_.energy, slope, options_, trial_);
+    }
+    summary_.energy_evaluations += search.evaluations;
+    if (!search.accepted)
+      return search.at_roundoff
+                 ? end(Status::converged_roundoff, "no step lowers the energy beyond its rounding")
+                 : end(Status::failed_line_search, "no step along the direction lowers the energy");
+    return accept(row, search, slope);
+  }
+
+  bool accept(Iteration& row, const LineSearchResult& search, double slope) {
+    const double before = summary_.energy;
+    // Along a Newton direction the model gains (s - s^2/2) of the decrement's double.
+    const double promised = -slope * search.step * (1 - 0.5 * search.step);
+    policy_.step_taken(search.step, promised > 0 ? (before - search.energy) / promised : 1.0);
+    filter_ = policy_.first();
+    x_.swap(trial_);
+    const Evaluation at = differentiate();
+    if (!std::isfinite(at.value) || !gradient_.allFinite()) {
+      x_.swap(trial_);
+      return end(Status::failed_line_search, "energy or gradient is not finite after a step that was");
+    }
+    summary_.energy = at.value;
+    ++summary_.iterations;
+    row.energy = at.value;
+    row.step = search.step;
+    row.evaluations = search.evaluations;
+    if (!record(row)) return false;
+    if (options_.relative_energy_tolerance > 0 && search.step >= 1.0 &&
+        before - at.value <= options_.relative_energy_tolerance * std::abs(at.value))
+      return end(Status::converged_energy, "the energy changes less than relative_energy_tolerance");
+    return true;
+  }
+
+  bool end(Status status, std::string message) {
+    summary_.status = status;
+    summary_.message = std::move(message);
+    return false;
+  }
+
+  Summary finish() {
+    summary_.seconds.total = timer_.seconds();
+    if (solver_) {
+      const sparse::Statistics& statistics = solver_->statistics();
+      summary_.solver = std::string(sparse::backend_name(statistics.backend)) + " " +
+                        std::string(sparse::ordering_name(statistics.ordering));
+      summary_.factor_nonzeros = statistics.factor_nonzeros;
+    }
+    return std::move(summary_);
+  }
+
+  Objective& objective_;
+  Eigen::VectorXd& x_;
+  const Options& options_;
+  const IterationCallback& callback_;
+  HessianPolicy policy_;
+  Timer timer_;
+  Summary summary_;
+  projection::FilterOptions filter_;
+  sparse::SymmetricMatrix matrix_;
+  std::unique_ptr<sparse::Solver> solver_;
+  Eigen::VectorXd gradient_, direction_, trial_;
+  std::vector<double> diagonal_;
+  double typical_stiffness_ = 0;
+  std::size_t points_filtered_ = 0;
+};
+
+}  // namespace
+
+Summary minimize(Objective& objective, Eigen::VectorXd& x, const Options& options,
+                 const IterationCallback& callback) {
+  options.validate();
+  if (x.size() != objective.dofs())
+    throw Error("start of " + std::to_string(x.size()) + " entries for " + std::to_string(objective.dofs()) +
+                " degrees of freedom");
+  return Minimizer(objective, x, options, callback).run();
+}
+
+}  // namespace isostretch::newton

@@ -1,0 +1,83 @@
+#include <isostretch/newton/summary.hpp>
+
+#include <cstdio>
+
+namespace isostretch::newton {
+namespace {
+
+template <class... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  char buffer[512];
+  std::snprintf(buffer, sizeof buffer, pattern, arguments...);
+  return buffer;
+}
+
+}  // namespace
+
+std::string_view status_name(Status status) noexcept {
+  switch (status) {
+    case Status::not_run:
+      return "not_run";
+    case Status::converged_gradient:
+      return "converged_gradient";
+    case Status::converged_scaled_gradient:
+      return "converged_scaled_gradient";
+    case Status::converged_decrement:
+      return "converged_decrement";
+    case Status::converged_energy:
+      return "converged_energy";
+    case Status::converged_roundoff:
+      return "converged_roundoff";
+    case Status::stopped_iterations:
+      return "stopped_iterations";
+    case Status::stopped_time:
+      return "stopped_time";
+    case Status::stopped_by_callback:
+      return "stopped_by_callback";
+    case Status::failed_start:
+      return "failed_start";
+    case Status::failed_factorization:
+      return "failed_factorization";
+    case Status::failed_line_search:
+      return "failed_line_search";
+  }
+  return "?";
+}
+
+bool converged(Status status) noexcept {
+  return status == Status::converged_gradient || status == Status::converged_scaled_gradient ||
+         status == Status::converged_decrement || status == Status::converged_energy ||
+         status == Status::converged_roundoff;
+}
+
+bool failed(Status status) noexcept {
+  return status == Status::not_run || status == Status::failed_start ||
+         status == Status::failed_factorization || status == Status::failed_line_search;
+}
+
+std::string Summary::brief_report() const {
+  return format("%s after %d iterations (%d factorizations), %.3f s: energy %.10g, |gradient|_inf %.3g",
+                std::string(status_name(status)).c_str(), iterations, factorizations, seconds.total, energy,
+                gradient_inf_norm);
+}
+
+std::string Summary::full_report() const {
+  std::string text = brief_report() + "\n" + message + "\n";
+  text += format("energy           %.12g -> %.12g\n", initial_energy, energy);
+  text += format("factorizations   %d, %d not positive definite; %s, %.3g nonzeros\n", factorizations,
+                 failed_factorizations, solver.c_str(), factor_nonzeros);
+  text += format("energy evaluations by the line search: %d\n", energy_evaluations);
+  text += format(
+      "seconds          total %.4f: setup %.4f, assembly %.4f, factorization %.4f, solve %.4f, line search "
+      "%.4f\n",
+      seconds.total, seconds.setup, seconds.assembly, seconds.factorization, seconds.solve,
+      seconds.line_search);
+  text += "  it       energy          |gradient|_inf  step      decrement   filter  filtered  tried\n";
+  for (const Iteration& row : trace)
+    text += format("%4d  %.14g  %.3e  %.3e  %.3e  %.3f  %8zu  %d\n", row.iteration, row.energy,
+                   row.gradient_inf_norm, row.step, row.decrement, row.filter_strength, row.points_filtered,
+                   row.factorizations);
+  return text;
+}
+
+}  // namespace isostretch::newton
