@@ -79,25 +79,25 @@ struct Stretch {
     for (int i = 1; i < Dim; ++i) sum = sum + (sigma[i] - T(1.0)) * (sigma[i] + T(1.0));
     return sum;
   }
-  // det F - 1 = prod(1 + e) - 1 with e = sigma - 1, likewise.
+  // det F - 1, to a rounding or two of itself: near rest, where 1 cancels, and at any aspect ratio, where the
+  // expansion in sigma - 1 would cancel.
   ISOSTRETCH_INLINE T J_minus_one() const {
-    const T x = sigma[0] - T(1.0), y = sigma[1] - T(1.0);
-    const T xy = x + y + x * y;
+    const T one(1.0);
     if constexpr (Dim == 2) {
-      return xy;
+      return product_difference(sigma[0], sigma[1], one, one);
     } else {
-      const T z = sigma[2] - T(1.0);
-      return xy + z + xy * z;
+      const T p = sigma[0] * sigma[1];
+      const T rounding = product_difference(sigma[0], sigma[1], p, one);
+      return product_difference(p, sigma[2], one, one) + rounding * sigma[2];
     }
   }
 
-  // others(i) - 1, likewise.
-  ISOSTRETCH_INLINE T others_minus_one(int i) const {
+  // sigma_i - others(i), zero at rest, likewise.
+  ISOSTRETCH_INLINE T minus_others(int i) const {
     if constexpr (Dim == 2) {
-      return sigma[1 - i] - T(1.0);
+      return sigma[i] - sigma[1 - i];
     } else {
-      const T x = sigma[(i + 1) % 3] - T(1.0), y = sigma[(i + 2) % 3] - T(1.0);
-      return x + y + x * y;
+      return product_difference(sigma[i], T(1.0), sigma[(i + 1) % 3], sigma[(i + 2) % 3]);
     }
   }
 

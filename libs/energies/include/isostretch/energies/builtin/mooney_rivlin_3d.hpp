@@ -64,7 +64,7 @@ struct MooneyRivlin3d {
       m[i] = j * j + k * k;  // I2 - sigma_i^2
       // Differences of squares: both isochoric terms vanish at rest without cancellation.
       const T spread = (s[i] - j) * (s[i] + j) + (s[i] - k) * (s[i] + k);
-      const T cofactor_spread = s[i] * s[i] * m[i] - 2.0 * square(j * k);
+      const T cofactor_spread = k * k * (s[i] - j) * (s[i] + j) + j * j * (s[i] - k) * (s[i] + k);
       d.gradient[i] = (2.0 / 3.0) * (w * spread + v2 * cofactor_spread) * r[i];
       const T r2 = r[i] * r[i];
       d.diagonal[i] =
@@ -72,8 +72,8 @@ struct MooneyRivlin3d {
     }
     for (int i = 0; i < 3; ++i) {
       const T a = s.a(i), b = s.b(i), z = s.c(i), pq = r[first<3>(i)] * r[second<3>(i)], u = a * b;
-      d.twist[i] = w * (2.0 / 3.0) * (product_difference(a, b, z, z) - square(a - b)) * pq +
-                   v2 * (2.0 * (z * z + u) - 4.0 / 3.0 * M * pq);
+      const T gap = product_difference(a, b, z, z), spread = square(a - b) * pq;
+      d.twist[i] = (2.0 / 3.0) * (w * (gap * pq - spread) + v2 * (gap - 2.0 * z * z * spread));
       d.flip[i] = w * (2.0 + 2.0 / 3.0 * I2 * pq) + v2 * (2.0 * (z * z - u) + 4.0 / 3.0 * M * pq);
       const T ma = 2.0 * a * m[first<3>(i)], mb = 2.0 * b * m[second<3>(i)];
       d.coupling[i] =

@@ -45,7 +45,7 @@ struct StableNeoHookean {
     d.psi = 0.5 * mu * s.I2_minus_dim() - mu * j + 0.5 * pressure * j;
     for (int i = 0; i < Dim; ++i) {
       const T g = s.others(i);
-      d.gradient[i] = mu * ((s[i] - 1.0) - s.others_minus_one(i)) + pressure * g;
+      d.gradient[i] = mu * s.minus_others(i) + pressure * g;
       d.diagonal[i] = mu + lambda * g * g;
     }
     for (int i = 0; i < s.pairs; ++i) {

@@ -45,21 +45,24 @@ struct StableNeoHookeanLog {
 
   template <int Dim, class T>
   ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
-    // The rest values dim/(dim + 1) are taken out of both terms, so that they do not cancel.
+    // The rest values dim/(dim + 1) are taken out of both terms, so that they do not cancel there; towards
+    // F = 0 it is the other way round.
     constexpr double rest = double(Dim) / (Dim + 1);
     const T I2 = s.I2(), r = 1.0 / (I2 + 1.0);
     const T shear = mu * I2 * r, excess = mu * s.I2_minus_dim() * r * (1.0 / (Dim + 1));
     const T stress = lambda * s.J_minus_one(), pressure = stress - mu * rest;
+    const auto small = I2 < T(0.5);
     d.psi = psi(s);
     for (int i = 0; i < Dim; ++i) {
       const T g = s.others(i);
-      d.gradient[i] = stress * g + excess * s[i] + mu * rest * ((s[i] - 1.0) - s.others_minus_one(i));
+      d.gradient[i] = select(small, shear * s[i] + pressure * g,
+                             stress * g + excess * s[i] + mu * rest * s.minus_others(i));
       d.diagonal[i] = shear + 2.0 * mu * square(s[i] * r) + lambda * g * g;
     }
     for (int i = 0; i < s.pairs; ++i) {
       const T c = s.c(i);
       const int j = first<Dim>(i), k = second<Dim>(i);
-      d.twist[i] = excess + mu * rest * (1.0 - c) + c * stress;
+      d.twist[i] = select(small, shear + c * pressure, excess + mu * rest * (1.0 - c) + c * stress);
       d.flip[i] = shear - c * pressure;
       d.coupling[i] = 2.0 * mu * (s[j] * r) * (s[k] * r) + lambda * s.others(j) * s.others(k) + c * pressure;
     }
