@@ -1,0 +1,149 @@
+#include "builtins.hpp"
+
+#include <isostretch/core/error.hpp>
+#include <isostretch/energies/registry.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+using namespace isostretch;
+using namespace isostretch::energies;
+using namespace isostretch::energies::tests;
+
+namespace {
+
+std::string message_of(const std::function<void()>& misuse) {
+  try {
+    misuse();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+// psi alone, in one line: jets and the generic eigensystem do the rest.
+struct UserEnergy {
+  static constexpr const char* name = "user_energy";
+  double weight = 1.0;
+
+  template <class Visitor>
+  void parameters(Visitor&& visit) {
+    visit("weight", weight, "in front of everything");
+  }
+
+  template <int Dim, class T>
+  T psi(const Invariants<Dim, T>& I) const {
+    return weight * (I.I2 - 2.0 * I.I1 + double(Dim));
+  }
+};
+
+struct UserEnergy2d {
+  static constexpr const char* name = "user_energy_2d";
+  static constexpr bool supports(int dim) { return dim == 2; }
+  static constexpr double minimum_determinant = 0.0;
+
+  template <int Dim, class T>
+  T psi(const Invariants<Dim, T>& I) const {
+    return I.I2 / I.I3;
+  }
+};
+
+const Stretch<3, double> stretched{{1.7, 1.1, 0.6}};
+
+}  // namespace
+
+TEST_CASE("names are sorted, unique, and those of the folder") {
+  const auto names = energy_names();
+  CHECK(std::is_sorted(names.begin(), names.end()));
+  CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
+  std::size_t count = 0;
+  for_each_builtin([&](auto energy) {
+    ++count;
+    CHECK(std::find(names.begin(), names.end(), energy.name) != names.end());
+  });
+  CHECK(names.size() == count);
+}
+
+TEST_CASE("an unknown energy is refused with the list of those that exist") {
+  const auto message = message_of([] { make_energy("symetric_dirichlet"); });
+  CHECK(contains(message, "symetric_dirichlet"));
+  for (const auto& name : energy_names()) CHECK(contains(message, name));
+}
+
+TEST_CASE("an unknown parameter is refused with the list of those that exist") {
+  const auto message = message_of([] { make_energy("corotational", {{"lambda", 1.0}}); });
+  CHECK(contains(message, "corotational"));
+  CHECK(contains(message, "'lambda'"));
+  CHECK(contains(message, "mu, kappa"));
+  CHECK(contains(message_of([] { make_energy("arap", {{"mu", 1.0}}); }), "none"));
+}
+
+TEST_CASE("a parameter that is not a finite number is refused by name") {
+  for (const double value :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    CHECK(contains(message_of([&] { make_energy("hencky", {{"mu", value}}); }), "'mu'"));
+}
+
+TEST_CASE("parameters reach the kernels of every level and are reported back") {
+  at_every_level([](Isa) {
+    for (const auto& name : energy_names()) {
+      CAPTURE(name);
+      const AnyEnergy before = make_energy(name);
+      if (!before.supports(3)) continue;
+      for (const auto& parameter : before.parameters()) {
+        CAPTURE(parameter.name);
+        const AnyEnergy after = make_energy(name, {{parameter.name, 1.25 * parameter.value}});
+        // The LIM barrier ends at det F = 1 + epsilon, hence a state below it.
+        PointChunk<3> point(stretched), compressed(Stretch<3, double>{{1.1, 0.8, 0.6}});
+        const bool differs =
+            point.psi(before) != point.psi(after) || compressed.psi(before) != compressed.psi(after);
+        CHECK(differs);
+        const auto& given = after.parameters();
+        CHECK(std::any_of(given.begin(), given.end(), [&](const Parameter& p) {
+          return p.name == parameter.name && p.value == 1.25 * parameter.value && !p.description.empty();
+        }));
+      }
+    }
+  });
+}
+
+TEST_CASE("what an AnyEnergy says about itself") {
+  CHECK(make_energy("symmetric_dirichlet").has_barrier());
+  CHECK(make_energy("symmetric_dirichlet").determinant_bound() == 0.0);
+  CHECK(make_energy("lim_barrier", {{"epsilon", 0.25}}).determinant_bound() == 0.25);
+  CHECK_FALSE(make_energy("arap").has_barrier());
+  CHECK_FALSE(make_energy("arap").coupled());
+  CHECK(make_energy("corotational").coupled());
+  CHECK(make_energy("mips_2d").supports(2));
+  CHECK_FALSE(make_energy("mips_2d").supports(3));
+}
+
+TEST_CASE("a user's psi runs through AnyEnergy at every level") {
+  at_every_level([](Isa isa) {
+    CAPTURE(isa_name(isa));
+    const AnyEnergy user = UserEnergy{2.0};
+    const AnyEnergy arap = make_energy("arap");
+    CHECK(user.name() == "user_energy");
+    CHECK(user.parameters().at(0).value == 2.0);
+    const auto u = PointChunk<3>(stretched).derivatives(user), a = PointChunk<3>(stretched).derivatives(arap);
+    CHECK(u.psi == doctest::Approx(2.0 * a.psi).epsilon(1e-13));
+    for_each_entry<3>(
+        u, a, [](const char*, double x, double y) { CHECK(x == doctest::Approx(2.0 * y).epsilon(1e-13)); });
+  });
+}
+
+TEST_CASE("a user's barrier and dimension are respected") {
+  const AnyEnergy energy = UserEnergy2d{};
+  CHECK(energy.supports(2));
+  CHECK_FALSE(energy.supports(3));
+  CHECK(std::isinf(PointChunk<2>(Stretch<2, double>{{1.0, -0.5}}).psi(energy)));
+  CHECK(PointChunk<2>(Stretch<2, double>{{2.0, 1.0}}).psi(energy) == doctest::Approx(2.5));
+}

@@ -9,7 +9,8 @@
 //   CHECK_MESSAGE(report.ok(), report.text());
 //
 // psi(x) -> double, gradient(x) -> VectorXd, hessian_times(x, d) -> VectorXd; x is one vec'ed F, or all
-// positions of a mesh. Errors are relative to |exact| + (the next lower derivative) / |x|.
+// positions of a mesh. Errors are relative to what the next lower derivative and the next higher one make
+// natural: |g| + |psi| / |x| + |H d| |x|, and |H d| + |g| / |x|.
 
 #include <Eigen/Core>
 
@@ -112,7 +113,7 @@ DerivativeReport check_derivatives(const Psi& psi, const Gradient& gradient,
   const Eigen::VectorXd g = gradient(x);
   for (int n = 0; n < options.directions; ++n) {
     const Eigen::VectorXd d = detail::random_direction(x.size(), generator), Hd = hessian_times(x, d);
-    const double g_scale = g.norm() + std::abs(psi(x)) / size + 1e-300;
+    const double g_scale = g.norm() + std::abs(psi(x)) / size + Hd.norm() * size + 1e-300;
     const double H_scale = Hd.norm() + g.norm() / size + 1e-300;
     const auto g_error = [&](double step) {
       const double h = step * size;
