@@ -158,13 +158,8 @@ bool in_range(const StretchDerivatives<Dim, Quad>& d) {
   return ok;
 }
 
-// Roundings allowed in one entry. The exponential energies multiply the error of the exponent by the
-// exponent.
-template <class Energy>
-constexpr double allowed_constant() {
-  const std::string_view name = Energy::name;
-  return name == "fung" || name == "exponential_amips" ? 5000 : 64;
-}
+// Roundings allowed in one entry; the worst seen is 31, in mooney_rivlin_3d.
+constexpr double allowed_constant = 64;
 
 template <int Dim, class Energy>
 void check_graded(const Energy& energy) {
@@ -185,7 +180,7 @@ void check_graded(const Energy& energy) {
       CAPTURE(s[0]);
       CAPTURE(s[1]);
       CAPTURE(s[Dim - 1]);
-      CHECK(constant <= allowed_constant<Energy>());
+      CHECK(constant <= allowed_constant);
       worst = std::max(worst, constant);
     });
   }
