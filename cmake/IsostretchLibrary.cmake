@@ -51,6 +51,7 @@ function(isostretch_add_library name)
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+    INSTALL_RPATH "$ORIGIN"  # shared builds: the libraries find each other wherever they are installed
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   set_property(GLOBAL APPEND PROPERTY ISOSTRETCH_COMPONENTS ${name})
   _isostretch_install_component(${name} "${A_COMPONENTS}" "${A_PACKAGES}")

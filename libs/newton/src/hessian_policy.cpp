@@ -1,15 +1,19 @@
 #include "hessian_policy.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace isostretch::newton {
 
 using projection::Filter;
 using projection::FilterOptions;
 
-projection::FilterOptions HessianPolicy::first() {
-  failed_ = false;
+namespace {
+
+constexpr double short_step = 0.2;
+
+}  // namespace
+
+FilterOptions HessianPolicy::first() {
   switch (options_.projection) {
     case Projection::none:
       return {Filter::none, 0.0, 0.0};
@@ -20,26 +24,25 @@ projection::FilterOptions HessianPolicy::first() {
     case Projection::adaptive:
       break;
   }
-  last_used_ = strength_;
-  return {Filter::clamp, options_.filter_threshold, strength_};
+  tried_ = wait_ == 0 && full_step_ ? 0.0 : strength_;
+  return {Filter::clamp, options_.filter_threshold, tried_};
 }
 
 bool HessianPolicy::stronger(FilterOptions& filter) {
-  if (options_.projection != Projection::adaptive || filter.strength >= 1.0) return false;
-  failed_ = true;
-  filter.strength = 1.0;
-  last_used_ = 1.0;
+  if (options_.projection != Projection::adaptive || tried_ >= 1.0) return false;
+  tried_ = filter.strength = tried_ < strength_ ? strength_ : 1.0;
+  wait_ = options_.retry_interval;
   return true;
 }
 
-void HessianPolicy::step_taken(double step, double) {
-  if (failed_) {
-    wait_ = 3;
-    strength_ = 1.0;
-    return;
+void HessianPolicy::step_taken(double step) {
+  strength_ = tried_;
+  full_step_ = step >= 1.0;
+  wait_ = std::max(0, wait_ - 1);
+  if (strength_ < 1.0 && step < short_step) {
+    strength_ = 0.5 * (1.0 + strength_);
+    wait_ = options_.retry_interval;
   }
-  if (wait_ > 0) --wait_;
-  strength_ = (wait_ == 0 && step >= 1.0) ? 0.0 : (strength_ == 0.0 ? 0.0 : 1.0);
 }
 
 }  // namespace isostretch::newton

@@ -9,6 +9,27 @@ namespace {
 // Rounding of a sum of many terms: a few units of relative precision, never the worst case.
 constexpr double energy_rounding = 2e-14;
 
+// The model at hand was too stiff where the first step gains clearly more than it promised: barrier energies
+// far from rest, and filtered Hessians. Energies are cheap beside a factorization, so go on while that pays.
+void expand(Objective& objective, const Eigen::VectorXd& x, const Eigen::VectorXd& d, double energy,
+            double slope, const Options& options, Eigen::VectorXd& trial, LineSearchResult& best) {
+  const double promised = -slope * best.step * (1 - 0.5 * best.step);
+  if (energy - best.energy < options.expansion_ratio * promised) return;
+  const double limit =
+      options.domain_fraction * objective.max_step(x, d, options.max_expansion / options.domain_fraction);
+  Eigen::VectorXd further;
+  while (best.step < limit) {
+    const double step = std::min(options.expansion_factor * best.step, limit);
+    further = x + step * d;
+    const double value = objective.value(further).value;
+    ++best.evaluations;
+    if (!(value < best.energy)) return;
+    best.step = step;
+    best.energy = value;
+    trial.swap(further);
+  }
+}
+
 }  // namespace
 
 LineSearchResult search_line(Objective& objective, const Eigen::VectorXd& x, const Eigen::VectorXd& d,
@@ -29,6 +50,8 @@ LineSearchResult search_line(Objective& objective, const Eigen::VectorXd& x, con
       result.accepted = true;
       result.step = step;
       result.energy = value;
+      if (i == 0 && !anything && !result.at_roundoff)
+        expand(objective, x, d, energy, slope, options, trial, result);
       return result;
     }
     if (result.at_roundoff) return result;

@@ -117,7 +117,7 @@ class Minimizer {
 
   // Factorises the Hessian at x_, filtering more or shifting until it succeeds.
   bool factorize(Iteration& row) {
-    double shift = options_.relative_shift * typical_stiffness_;
+    double shift = std::max(options_.relative_shift, 0.1 * last_relative_shift_) * typical_stiffness_;
     for (int shifts = 0;;) {
       sparse::FactorResult result;
       {
@@ -130,7 +130,10 @@ class Minimizer {
       }
       ++row.factorizations;
       ++summary_.factorizations;
-      if (result) return true;
+      if (result) {
+        last_relative_shift_ = shift / typical_stiffness_;
+        return true;
+      }
       ++summary_.failed_factorizations;
       if (result.status != sparse::FactorStatus::not_positive_definite)
         return end(Status::failed_factorization, result.message);
@@ -181,19 +184,20 @@ class Minimizer {
       return search.at_roundoff
                  ? end(Status::converged_roundoff, "no step lowers the energy beyond its rounding")
                  : end(Status::failed_line_search, "no step along the direction lowers the energy");
-    return accept(row, search, slope);
+    return accept(row, search);
   }
 
-  bool accept(Iteration& row, const LineSearchResult& search, double slope) {
+  bool accept(Iteration& row, const LineSearchResult& search) {
     const double before = summary_.energy;
-    // Along a Newton direction the model gains (s - s^2/2) of the decrement's double.
-    const double promised = -slope * search.step * (1 - 0.5 * search.step);
-    policy_.step_taken(search.step, promised > 0 ? (before - search.energy) / promised : 1.0);
+    policy_.step_taken(search.step);
     filter_ = policy_.first();
-    x_.swap(trial_);
+    // Copied, never swapped: the memory of the caller's vector must not change hands between code compiled with
+    // different instruction sets.
+    previous_ = x_;
+    x_ = trial_;
     const Evaluation at = differentiate();
     if (!std::isfinite(at.value) || !gradient_.allFinite()) {
-      x_.swap(trial_);
+      x_ = previous_;
       return end(Status::failed_line_search, "energy or gradient is not finite after a step that was");
     }
     summary_.energy = at.value;
@@ -235,9 +239,10 @@ class Minimizer {
   projection::FilterOptions filter_;
   sparse::SymmetricMatrix matrix_;
   std::unique_ptr<sparse::Solver> solver_;
-  Eigen::VectorXd gradient_, direction_, trial_;
+  Eigen::VectorXd gradient_, direction_, trial_, previous_;
   std::vector<double> diagonal_;
   double typical_stiffness_ = 0;
+  double last_relative_shift_ = 0;
   std::size_t points_filtered_ = 0;
 };
 

@@ -29,6 +29,8 @@ enum class LineSearch {
 
 struct Options {
   Projection projection = Projection::adaptive;
+  // adaptive: steps before the exact Hessian is tried again after it failed to factorise or gave a poor step.
+  int retry_interval = 3;
   // Smallest eigenvalue after filtering at a quadrature point, in the units of psi.
   double filter_threshold = 0;
 
@@ -53,6 +55,12 @@ struct Options {
   double backtracking_factor = 0.5;
   int max_backtracks = 60;
   double domain_fraction = 0.9;  // of the largest step in the domain, when that is shorter than 1
+
+  // A first step that gains more than expansion_ratio times what the quadratic model promised is lengthened
+  // by expansion_factor while the energy falls, up to max_expansion. max_expansion = 1 never lengthens.
+  double expansion_ratio = 1.1;
+  double expansion_factor = 2;
+  double max_expansion = 64;
 
   // Added to the diagonal of every Hessian, relative to its median entry: an objective without pins is
   // singular along rigid motions. Multiplied by 100 as often as a fully filtered Hessian fails to factorise,
