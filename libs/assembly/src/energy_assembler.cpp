@@ -250,6 +250,7 @@ Evaluation EnergyAssembler::differentiate(const double* x, const projection::Fil
 
 void EnergyAssembler::add_hessian(double* values) const {
   if (pattern_ == nullptr) throw Error("add_hessian() before bind()");
+  if (hessian_slots_.empty()) throw Error("add_hessian() before differentiate() with a Hessian");
   const int entries = dim_ * dim_;
 #pragma omp parallel for schedule(static)
   for (std::size_t t = 0; t < touched_blocks_.size(); ++t) {

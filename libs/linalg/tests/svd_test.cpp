@@ -140,6 +140,20 @@ TEST_CASE("signed SVD: zero, rank one, rotations, reflections and repeated sigma
   });
 }
 
+TEST_CASE("bug: an exchange of columns without a rotation must not end the sweeps") {
+  // F = I + 1e-5 e_r e_c^T once came back as the identity: the exchange moved the oblique pair out of sight.
+  at_every_level([] {
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 3; ++column)
+        for (const double size : {1e-5, 1e-8, 1e-12, 0.5}) {
+          Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
+          F(row, column) += size;
+          check_svd<3>(F);
+          check_svd<2>(F.topLeftCorner<2, 2>());
+        }
+  });
+}
+
 TEST_CASE("signed SVD: entries from 1e-150 to 1e150 in one matrix") {
   at_every_level([] {
     check_range<2>();
