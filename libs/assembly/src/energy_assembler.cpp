@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -63,9 +64,23 @@ EnergyAssembler::EnergyAssembler(const Elements& elements, energies::AnyEnergy e
     throw Error("energy '" + energy_.name() + "' does not exist in " + std::to_string(dim_) + "D");
   chunk_ = projection::chunk_size(dim_);
   chunk_count_ = (element_count_ + chunk_ - 1) / chunk_;
-  nodes_of_element_ = elements.nodes;
+  order_elements(elements);
   chunk_elements(elements);
   index_gradient();
+}
+
+// By smallest node: the gather passes walk over nodes, and then read the elements' slots nearly in order.
+void EnergyAssembler::order_elements(const Elements& elements) {
+  const auto nodes = [&](int e) { return elements.nodes.begin() + static_cast<std::ptrdiff_t>(e) * nodes_; };
+  std::vector<int> smallest(size(element_count_));
+  for (int e = 0; e < element_count_; ++e) smallest[size(e)] = *std::min_element(nodes(e), nodes(e) + nodes_);
+  original_.resize(size(element_count_));
+  std::iota(original_.begin(), original_.end(), 0);
+  std::stable_sort(original_.begin(), original_.end(),
+                   [&](int a, int b) { return smallest[size(a)] < smallest[size(b)]; });
+  nodes_of_element_.reserve(elements.nodes.size());
+  for (const int e : original_)
+    nodes_of_element_.insert(nodes_of_element_.end(), nodes(e), nodes(e) + nodes_);
 }
 
 void EnergyAssembler::chunk_elements(const Elements& elements) {
@@ -75,7 +90,7 @@ void EnergyAssembler::chunk_elements(const Elements& elements) {
   chunk_weights_.resize(chunks * size(points_) * lanes);
   for (std::size_t c = 0; c < chunks; ++c)
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const std::size_t e = std::min(c * lanes + lane, size(element_count_) - 1);
+      const std::size_t e = size(original_[std::min(c * lanes + lane, size(element_count_) - 1)]);
       for (std::size_t a = 0; a < size(nodes_); ++a)
         chunk_nodes_[(c * size(nodes_) + a) * lanes + lane] = elements.nodes[e * size(nodes_) + a];
       for (std::size_t p = 0; p < size(points_); ++p) {
@@ -105,27 +120,26 @@ void EnergyAssembler::add_to(PatternBuilder& builder) const {
 
 void EnergyAssembler::bind(const HessianPattern& pattern) {
   pattern_ = &pattern;
-  const std::size_t blocks = size(block_count(nodes_)), entries = size(dim_ * dim_);
+  const std::size_t blocks = size(block_count(nodes_));
+  if (size(element_count_) * blocks > max_contribution)
+    throw Error(std::to_string(element_count_) + " elements are more than one term can assemble");
   std::vector<std::pair<std::size_t, Contribution>> found;
   found.reserve(size(element_count_) * blocks);
-  for (std::size_t e = 0; e < size(element_count_); ++e) {
-    const int* nodes = nodes_of_element_.data() + e * size(nodes_);
-    std::size_t slot = e * blocks;
+  Contribution slot = 0;
+  for (int e = 0; e < element_count_; ++e) {
+    const int* nodes = nodes_of_element_.data() + size(e) * size(nodes_);
     for (int a = 0; a < nodes_; ++a)
       for (int b = a; b < nodes_; ++b, ++slot)
         // Slots hold (row of a, column of b); the pattern wants the larger node in the rows.
-        found.push_back({pattern.block(nodes[a], nodes[b]), {slot * entries, nodes[a] < nodes[b]}});
+        found.push_back({pattern.block(nodes[a], nodes[b]), 2 * slot + (nodes[a] < nodes[b] ? 1 : 0)});
   }
   contribution_start_.assign(pattern.block_count() + 1, 0);
   for (const auto& [block, contribution] : found) ++contribution_start_[block + 1];
   for (std::size_t i = 0; i < pattern.block_count(); ++i)
     contribution_start_[i + 1] += contribution_start_[i];
   contributions_.resize(found.size());
-  std::vector<std::size_t> next(contribution_start_.begin(), contribution_start_.end() - 1);
+  std::vector<std::uint32_t> next(contribution_start_.begin(), contribution_start_.end() - 1);
   for (const auto& [block, contribution] : found) contributions_[next[block]++] = contribution;
-  touched_blocks_.clear();
-  for (std::size_t i = 0; i < pattern.block_count(); ++i)
-    if (contribution_start_[i] < contribution_start_[i + 1]) touched_blocks_.push_back(i);
 }
 
 // body(kernels, workspace, chunk, point, element chunk) for every quadrature point of every chunk, points of
@@ -137,7 +151,7 @@ void EnergyAssembler::for_each_chunk(const Body& body) const {
 #pragma omp parallel
   {
     Workspace work(dim_, nodes_);
-#pragma omp for schedule(static)
+#pragma omp for schedule(dynamic, 4)
     for (int c = 0; c < chunk_count_; ++c) {
       ElementChunk chunk{};
       chunk.real = std::min(chunk_, element_count_ - c * chunk_);
@@ -182,7 +196,7 @@ Evaluation EnergyAssembler::value(const double* x) {
         energy_.evaluate_psi(dim_, work.points.stretch);
         chunk_values_[size(c)] += weighted_sum(chunk, work.points);
         for (int i = 0; i < chunk.real && worst[size(c)] < 0; ++i)
-          if (!std::isfinite(work.points.stretch.psi[i])) worst[size(c)] = c * chunk_ + i;
+          if (!std::isfinite(work.points.stretch.psi[i])) worst[size(c)] = original_[size(c * chunk_ + i)];
       });
   Evaluation result = total(chunk_values_);
   for (const int element : worst)
@@ -213,7 +227,7 @@ Evaluation EnergyAssembler::differentiate(const double* x, const projection::Fil
         energy_.evaluate_derivatives(dim_, work.points.stretch);
         chunk_values_[size(c)] += weighted_sum(chunk, work.points);
         for (int i = 0; i < chunk.real && worst[size(c)] < 0; ++i)
-          if (!std::isfinite(work.points.stretch.psi[i])) worst[size(c)] = c * chunk_ + i;
+          if (!std::isfinite(work.points.stretch.psi[i])) worst[size(c)] = original_[size(c * chunk_ + i)];
         filtered[size(c)] += kernels.differentiate(chunk, work.points, filter, energy_.coupled(), work.G,
                                                    hessian ? work.H : nullptr);
         if (p + 1 < points_) return;
@@ -251,23 +265,33 @@ Evaluation EnergyAssembler::differentiate(const double* x, const projection::Fil
 void EnergyAssembler::add_hessian(double* values) const {
   if (pattern_ == nullptr) throw Error("add_hessian() before bind()");
   if (hessian_slots_.empty()) throw Error("add_hessian() before differentiate() with a Hessian");
-  const int entries = dim_ * dim_;
+  if (dim_ == 2)
+    gather_hessian<2>(values);
+  else
+    gather_hessian<3>(values);
+}
+
+template <int Dim>
+void EnergyAssembler::gather_hessian(double* values) const {
+  constexpr std::size_t entries = Dim * Dim;
+  constexpr std::size_t ahead = 24;  // slots come from memory, not from cache: ask for them in time
+  const std::size_t blocks = pattern_->block_count(), last = contributions_.size() - 1;
 #pragma omp parallel for schedule(static)
-  for (std::size_t t = 0; t < touched_blocks_.size(); ++t) {
-    const std::size_t block = touched_blocks_[t];
-    std::array<double, 9> sum{};
+  for (std::size_t block = 0; block < blocks; ++block) {
+    std::array<double, entries> sum{};
     for (std::size_t k = contribution_start_[block]; k < contribution_start_[block + 1]; ++k) {
-      const double* slot = hessian_slots_.data() + contributions_[k].slot;
-      if (contributions_[k].transposed) {
-        for (int r = 0; r < dim_; ++r)
-          for (int s = 0; s < dim_; ++s) sum[size(r * dim_ + s)] += slot[s * dim_ + r];
+      __builtin_prefetch(hessian_slots_.data() + (contributions_[std::min(k + ahead, last)] >> 1) * entries);
+      const double* slot = hessian_slots_.data() + (contributions_[k] >> 1) * entries;
+      if (contributions_[k] & 1u) {
+        for (int r = 0; r < Dim; ++r)
+          for (int s = 0; s < Dim; ++s) sum[size(r * Dim + s)] += slot[s * Dim + r];
       } else {
-        for (int e = 0; e < entries; ++e) sum[size(e)] += slot[e];
+        for (std::size_t e = 0; e < entries; ++e) sum[e] += slot[e];
       }
     }
     const int* positions = pattern_->positions(block);
-    for (int e = 0; e < entries; ++e)
-      if (positions[e] >= 0) values[positions[e]] += sum[size(e)];
+    for (std::size_t e = 0; e < entries; ++e)
+      if (positions[e] >= 0) values[positions[e]] += sum[e];
   }
 }
 
@@ -296,7 +320,7 @@ std::vector<double> EnergyAssembler::stretches(const double* x) const {
         kernels.deform(chunk, work.X, work.points, false);
         for (int i = 0; i < chunk.real; ++i)
           for (int d = 0; d < dim_; ++d)
-            sigma[(size(c * chunk_ + i) * size(points_) + size(p)) * size(dim_) + size(d)] =
+            sigma[(size(original_[size(c * chunk_ + i)]) * size(points_) + size(p)) * size(dim_) + size(d)] =
                 work.points.sigma[size(d) * chunk.stride + size(i)];
       });
   return sigma;

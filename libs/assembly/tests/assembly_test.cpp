@@ -1,0 +1,320 @@
+#include <isostretch/assembly/energy_assembler.hpp>
+#include <isostretch/core/error.hpp>
+#include <isostretch/core/isa.hpp>
+#include <isostretch/energies/registry.hpp>
+#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/mesh/generators.hpp>
+#include <isostretch/projection/projection.hpp>
+
+#include <doctest/doctest.h>
+#include <omp.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace isostretch;
+using assembly::Elements;
+using assembly::EnergyAssembler;
+
+namespace {
+
+Elements triangles(int n) {
+  const mesh::SurfaceMesh grid = mesh::grid(n, n, 1.0, 1.0);
+  return assembly::elements_from(mesh::flat_elements(grid));
+}
+
+Elements tets() {
+  return assembly::elements_from(mesh::elements(mesh::tet_bar(3, 2, 2, 1.5, 1.0, 1.0)));
+}
+
+// Rest positions, recovered by solving for nodes is not needed: a random smooth map of generated meshes will
+// do.
+Eigen::VectorXd planar_positions(int n, double noise, unsigned seed) {
+  const mesh::SurfaceMesh grid = mesh::grid(n, n, 1.0, 1.0);
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-noise, noise);
+  Eigen::VectorXd x(2 * grid.vertices.rows());
+  for (Eigen::Index i = 0; i < grid.vertices.rows(); ++i)
+    for (int d = 0; d < 2; ++d) x[2 * i + d] = 1.3 * grid.vertices(i, d) + uniform(generator);
+  return x;
+}
+
+Eigen::VectorXd solid_positions(double noise, unsigned seed) {
+  const mesh::TetMesh bar = mesh::tet_bar(3, 2, 2, 1.5, 1.0, 1.0);
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-noise, noise);
+  Eigen::VectorXd x(3 * bar.vertices.rows());
+  for (Eigen::Index i = 0; i < bar.vertices.rows(); ++i)
+    for (int d = 0; d < 3; ++d) x[3 * i + d] = 1.1 * bar.vertices(i, d) + uniform(generator);
+  return x;
+}
+
+struct Assembled {
+  double value;
+  Eigen::VectorXd gradient;
+  Eigen::MatrixXd hessian;  // dense, full
+  std::vector<double> raw;
+};
+
+Assembled assemble(const Elements& elements, const energies::AnyEnergy& energy, const Eigen::VectorXd& x,
+                   projection::FilterOptions filter, const std::vector<bool>& pinned = {}) {
+  EnergyAssembler assembler(elements, energy);
+  assembly::PatternBuilder builder(elements.node_count);
+  assembler.add_to(builder);
+  const assembly::HessianPattern pattern(assembly::FreeUnknowns(elements.dim, elements.node_count, pinned),
+                                         std::move(builder));
+  assembler.bind(pattern);
+  Assembled result;
+  result.gradient.setZero(x.size());
+  result.value = assembler.differentiate(x.data(), filter, result.gradient.data(), true).value;
+  sparse::SymmetricMatrix matrix = pattern.zero_matrix();
+  matrix.validate();
+  assembler.add_hessian(matrix.value.data());
+  result.raw = matrix.value;
+  result.hessian.setZero(matrix.size, matrix.size);
+  for (int j = 0; j < matrix.size; ++j)
+    for (int k = matrix.column_start[static_cast<std::size_t>(j)];
+         k < matrix.column_start[static_cast<std::size_t>(j) + 1]; ++k) {
+      const int i = matrix.row[static_cast<std::size_t>(k)];
+      result.hessian(i, j) = result.hessian(j, i) = matrix.value[static_cast<std::size_t>(k)];
+    }
+  CHECK(assembler.value(x.data()).value == doctest::Approx(result.value).epsilon(1e-13));
+  return result;
+}
+
+// Element by element with the single-point interface and dense matrices.
+template <int Dim>
+Assembled reference(const Elements& e, const energies::AnyEnergy& energy, const Eigen::VectorXd& x,
+                    projection::FilterOptions filter) {
+  Assembled result{0, Eigen::VectorXd::Zero(x.size()), Eigen::MatrixXd::Zero(x.size(), x.size()), {}};
+  const int n = e.nodes_per_element;
+  for (int t = 0; t < e.element_count(); ++t)
+    for (int p = 0; p < e.points_per_element; ++p) {
+      const int point = t * e.points_per_element + p;
+      Eigen::MatrixXd B = Eigen::Map<const Eigen::MatrixXd>(e.gradients.data() + point * n * Dim, Dim, n);
+      Eigen::MatrixXd X(Dim, n), D = Eigen::MatrixXd::Zero(Dim * Dim, x.size());
+      for (int a = 0; a < n; ++a) {
+        const int node = e.nodes[static_cast<std::size_t>(t * n + a)];
+        X.col(a) = x.segment(Dim * node, Dim);
+        for (int r = 0; r < Dim; ++r)
+          for (int c = 0; c < Dim; ++c) D(r + Dim * c, Dim * node + r) += B(c, a);
+      }
+      const Eigen::Matrix<double, Dim, Dim> F = X * B.transpose();
+      const auto at = projection::evaluate<Dim>(energy, F, filter);
+      const double w = e.weights[static_cast<std::size_t>(point)];
+      result.value += w * at.psi;
+      result.gradient += w * D.transpose() * Eigen::Map<const Eigen::VectorXd>(at.P.data(), Dim * Dim);
+      result.hessian += w * D.transpose() * at.H * D;
+    }
+  return result;
+}
+
+template <int Dim>
+void check_against_reference(const Elements& elements, const Eigen::VectorXd& x) {
+  for (const auto& name : energies::energy_names()) {
+    const auto energy = energies::make_energy(name);
+    if (!energy.supports(Dim)) continue;
+    CAPTURE(name);
+    for (const auto filter : {projection::Filter::none, projection::Filter::clamp, projection::Filter::abs}) {
+      const auto ours = assemble(elements, energy, x, {filter});
+      const auto expected = reference<Dim>(elements, energy, x, {filter});
+      CHECK(ours.value == doctest::Approx(expected.value).epsilon(1e-12));
+      CHECK((ours.gradient - expected.gradient).norm() <= 1e-12 * (1 + expected.gradient.norm()));
+      CHECK((ours.hessian - expected.hessian).norm() <= 1e-12 * (1 + expected.hessian.norm()));
+    }
+  }
+}
+
+template <class Check>
+void at_every_level(Check check) {
+  const Isa before = active_isa();
+  for (const Isa isa : available_isas()) {
+    CAPTURE(isa_name(isa));
+    set_isa(isa);
+    check();
+  }
+  set_isa(before);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "energy, gradient and filtered Hessian equal dense element-by-element assembly, every energy and level") {
+  at_every_level([] {
+    check_against_reference<2>(triangles(3), planar_positions(3, 0.05, 1));
+    check_against_reference<3>(tets(), solid_positions(0.05, 2));
+  });
+}
+
+TEST_CASE("gradient and Hessian against differences of the assembled energy and gradient") {
+  const Elements elements = triangles(4);
+  const auto energy = energies::make_energy("symmetric_dirichlet");
+  const Eigen::VectorXd x = planar_positions(4, 0.02, 5);
+  const auto at = assemble(elements, energy, x, {projection::Filter::none});
+  EnergyAssembler assembler(elements, energy);
+  for (Eigen::Index i = 0; i < x.size(); i += 7) {
+    const double h = 1e-6;
+    Eigen::VectorXd plus = x, minus = x;
+    plus[i] += h;
+    minus[i] -= h;
+    CHECK((assembler.value(plus.data()).value - assembler.value(minus.data()).value) / (2 * h) ==
+          doctest::Approx(at.gradient[i]).epsilon(1e-6));
+    Eigen::VectorXd up = Eigen::VectorXd::Zero(x.size()), down = up;
+    assembler.differentiate(plus.data(), {}, up.data(), false);
+    assembler.differentiate(minus.data(), {}, down.data(), false);
+    CHECK(((up - down) / (2 * h) - at.hessian.col(i)).norm() <= 1e-5 * at.hessian.norm());
+  }
+}
+
+TEST_CASE("results are the same bit for bit for any number of threads") {
+  at_every_level([] {
+    const Elements elements = triangles(30);
+    const auto energy = energies::make_energy("symmetric_dirichlet");
+    const Eigen::VectorXd x = planar_positions(30, 0.002, 3);
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(1);
+    const auto one = assemble(elements, energy, x, {});
+    for (const int threads : {2, 3, 7}) {
+      omp_set_num_threads(threads);
+      const auto many = assemble(elements, energy, x, {});
+      CHECK(many.value == one.value);
+      CHECK((many.gradient.array() == one.gradient.array()).all());
+      CHECK(many.raw == one.raw);
+    }
+    omp_set_num_threads(before);
+  });
+}
+
+TEST_CASE("pinned degrees of freedom are eliminated from the matrix and nothing else changes") {
+  const Elements elements = triangles(3);
+  const auto energy = energies::make_energy("arap");
+  const Eigen::VectorXd x = planar_positions(3, 0.05, 8);
+  std::vector<bool> pinned(static_cast<std::size_t>(x.size()), false);
+  for (const std::size_t dof : {0u, 1u, 7u, 20u}) pinned[dof] = true;
+  const auto all = assemble(elements, energy, x, {});
+  const auto some = assemble(elements, energy, x, {}, pinned);
+  const assembly::FreeUnknowns unknowns(2, elements.node_count, pinned);
+  REQUIRE(some.hessian.rows() == x.size() - 4);
+  for (int i = 0; i < unknowns.size(); ++i)
+    for (int j = 0; j < unknowns.size(); ++j)
+      CHECK(some.hessian(i, j) == all.hessian(unknowns.dof(i), unknowns.dof(j)));
+}
+
+TEST_CASE("translations cost nothing: the Hessian's rows add up to zero") {
+  const Elements elements = tets();
+  const auto H =
+      assemble(elements, energies::make_energy("stable_neo_hookean"), solid_positions(0.1, 4), {}).hessian;
+  Eigen::VectorXd shift = Eigen::VectorXd::Zero(H.rows());
+  for (Eigen::Index i = 0; i < shift.size(); i += 3) shift[i] = 1;
+  CHECK((H * shift).norm() <= 1e-13 * H.norm());
+}
+
+TEST_CASE("an element outside the domain makes the value infinite and is named") {
+  const Elements elements = triangles(3);
+  EnergyAssembler assembler(elements, energies::make_energy("symmetric_dirichlet"));
+  Eigen::VectorXd x = planar_positions(3, 0.0, 1);
+  const int element = 11;
+  // Mirror one corner of the element through its opposite edge.
+  const int* node = elements.nodes.data() + 3 * element;
+  const Eigen::Vector2d a = x.segment<2>(2 * node[0]), b = x.segment<2>(2 * node[1]),
+                        c = x.segment<2>(2 * node[2]);
+  const Eigen::Vector2d t = (c - b).normalized();
+  x.segment<2>(2 * node[0]) = b + 2 * t * t.dot(a - b) - (a - b);
+  const auto at = assembler.value(x.data());
+  CHECK(std::isinf(at.value));
+  CHECK(at.worst_element >= 0);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(x.size());
+  const auto derivative = assembler.differentiate(x.data(), {}, gradient.data(), true);
+  CHECK(std::isinf(derivative.value));
+  CHECK(derivative.worst_element == at.worst_element);
+  CHECK(gradient.isZero(0));
+}
+
+TEST_CASE("max_step stops where the first determinant vanishes, in 2D and 3D") {
+  at_every_level([] {
+    const Elements elements = triangles(4);
+    EnergyAssembler assembler(elements, energies::make_energy("symmetric_dirichlet"));
+    std::mt19937 generator(6);
+    std::normal_distribution<double> normal;
+    for (int trial = 0; trial < 20; ++trial) {
+      const Eigen::VectorXd x = planar_positions(4, 0.02, static_cast<unsigned>(trial));
+      const Eigen::VectorXd d = Eigen::VectorXd::NullaryExpr(x.size(), [&] { return normal(generator); });
+      const double step = assembler.max_step(x.data(), d.data(), 100);
+      REQUIRE(step < 100);
+      const Eigen::VectorXd inside = x + 0.999999 * step * d, outside = x + 1.000001 * step * d;
+      CHECK(std::isfinite(assembler.value(inside.data()).value));
+      CHECK(std::isinf(assembler.value(outside.data()).value));
+      CHECK(assembler.max_step(x.data(), d.data(), 0.5 * step) == 0.5 * step);
+    }
+    const Elements solid = tets();
+    EnergyAssembler volume(solid, energies::make_energy("symmetric_dirichlet"));
+    for (int trial = 0; trial < 20; ++trial) {
+      const Eigen::VectorXd x = solid_positions(0.02, static_cast<unsigned>(trial));
+      const Eigen::VectorXd d = Eigen::VectorXd::NullaryExpr(x.size(), [&] { return normal(generator); });
+      const double step = volume.max_step(x.data(), d.data(), 100);
+      REQUIRE(step < 100);
+      const Eigen::VectorXd inside = x + 0.999999 * step * d, outside = x + 1.000001 * step * d;
+      CHECK(std::isfinite(volume.value(inside.data()).value));
+      CHECK(std::isinf(volume.value(outside.data()).value));
+    }
+    EnergyAssembler free(elements, energies::make_energy("arap"));
+    const Eigen::VectorXd x = planar_positions(4, 0.02, 1);
+    CHECK(free.max_step(x.data(), x.data(), 7.0) == 7.0);
+  });
+}
+
+TEST_CASE("stretches come back in the caller's order of elements") {
+  const Elements elements = triangles(5);
+  EnergyAssembler assembler(elements, energies::make_energy("arap"));
+  const Eigen::VectorXd x = planar_positions(5, 0.05, 9);
+  const auto sigma = assembler.stretches(x.data());
+  for (int t = 0; t < elements.element_count(); ++t) {
+    Eigen::Matrix2d F = Eigen::Matrix2d::Zero();
+    for (int a = 0; a < 3; ++a)
+      F += x.segment<2>(2 * elements.nodes[static_cast<std::size_t>(3 * t + a)]) *
+           Eigen::Map<const Eigen::RowVector2d>(elements.gradients.data() + 6 * t + 2 * a);
+    CHECK(sigma[static_cast<std::size_t>(2 * t)] * sigma[static_cast<std::size_t>(2 * t + 1)] ==
+          doctest::Approx(F.determinant()).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("several quadrature points add up") {
+  Elements once = triangles(3);
+  Elements twice = once;
+  twice.points_per_element = 2;
+  twice.gradients.clear();
+  twice.weights.clear();
+  for (int t = 0; t < once.element_count(); ++t)
+    for (int p = 0; p < 2; ++p) {
+      twice.gradients.insert(twice.gradients.end(), once.gradients.begin() + 6 * t,
+                             once.gradients.begin() + 6 * t + 6);
+      twice.weights.push_back(0.5 * once.weights[static_cast<std::size_t>(t)]);
+    }
+  const Eigen::VectorXd x = planar_positions(3, 0.05, 12);
+  const auto energy = energies::make_energy("symmetric_arap");
+  const auto a = assemble(once, energy, x, {}), b = assemble(twice, energy, x, {});
+  CHECK(a.value == doctest::Approx(b.value).epsilon(1e-14));
+  CHECK((a.gradient - b.gradient).norm() <= 1e-13 * a.gradient.norm());
+  CHECK((a.hessian - b.hessian).norm() <= 1e-13 * a.hessian.norm());
+}
+
+TEST_CASE("malformed elements are refused, naming the element") {
+  const auto energy = energies::make_energy("arap");
+  Elements elements = triangles(2);
+  elements.nodes[7] = 99;
+  CHECK_THROWS_WITH_AS(EnergyAssembler(elements, energy), doctest::Contains("element 2: node 99"), Error);
+  elements = triangles(2);
+  elements.weights[3] = -1;
+  CHECK_THROWS_WITH_AS(EnergyAssembler(elements, energy), doctest::Contains("element 3"), Error);
+  elements = triangles(2);
+  elements.gradients[6 * 4] += 1;
+  CHECK_THROWS_WITH_AS(EnergyAssembler(elements, energy), doctest::Contains("element 4: gradients"), Error);
+  elements = triangles(2);
+  elements.gradients[6 * 5 + 1] = std::nan("");
+  CHECK_THROWS_WITH_AS(EnergyAssembler(elements, energy), doctest::Contains("element 5"), Error);
+  CHECK_THROWS_WITH_AS(EnergyAssembler(triangles(2), energies::make_energy("mips_3d")),
+                       doctest::Contains("mips_3d"), Error);
+}

@@ -48,7 +48,6 @@ class Minimizer {
     {
       const ScopedTimer timer(summary_.seconds.setup);
       matrix_ = objective_.pattern().zero_matrix();
-      diagonal_.reserve(static_cast<std::size_t>(matrix_.size));
       if (matrix_.size > 0) {
         solver_ = sparse::make_solver(options_.solver);
         solver_->analyze(matrix_);
@@ -75,17 +74,22 @@ class Minimizer {
     points_filtered_ = at.points_filtered;
     if (std::isfinite(at.value)) {
       objective_.hessian(matrix_);
-      collect_diagonal();
+      measure_stiffness();
     }
     return at;
   }
 
-  void collect_diagonal() {
-    diagonal_.clear();
-    for (int j = 0; j < matrix_.size; ++j)
-      diagonal_.push_back(std::abs(
-          matrix_.value[static_cast<std::size_t>(matrix_.column_start[static_cast<std::size_t>(j)])]));
-    typical_stiffness_ = median(diagonal_);
+  // Median of the diagonal, from at most a few thousand entries spread evenly.
+  void measure_stiffness() {
+    constexpr int samples = 4096;
+    const int stride = 1 + matrix_.size / samples;
+    std::vector<double> diagonal;
+    for (int j = 0; j < matrix_.size; j += stride) diagonal.push_back(std::abs(diagonal_entry(j)));
+    typical_stiffness_ = median(std::move(diagonal));
+  }
+
+  double& diagonal_entry(int j) {
+    return matrix_.value[static_cast<std::size_t>(matrix_.column_start[static_cast<std::size_t>(j)])];
   }
 
   bool record(Iteration row) {
@@ -123,9 +127,7 @@ class Minimizer {
       {
         const ScopedTimer timer(summary_.seconds.factorization);
         if (shift > 0)
-          for (int j = 0; j < matrix_.size; ++j)
-            matrix_.value[static_cast<std::size_t>(matrix_.column_start[static_cast<std::size_t>(j)])] +=
-                shift;
+          for (int j = 0; j < matrix_.size; ++j) diagonal_entry(j) += shift;
         result = solver_->factorize(matrix_);
       }
       ++row.factorizations;
@@ -191,8 +193,8 @@ class Minimizer {
     const double before = summary_.energy;
     policy_.step_taken(search.step);
     filter_ = policy_.first();
-    // Copied, never swapped: the memory of the caller's vector must not change hands between code compiled with
-    // different instruction sets.
+    // Copied, never swapped: the memory of the caller's vector must not change hands between code compiled
+    // with different instruction sets.
     previous_ = x_;
     x_ = trial_;
     const Evaluation at = differentiate();
@@ -240,7 +242,6 @@ class Minimizer {
   sparse::SymmetricMatrix matrix_;
   std::unique_ptr<sparse::Solver> solver_;
   Eigen::VectorXd gradient_, direction_, trial_, previous_;
-  std::vector<double> diagonal_;
   double typical_stiffness_ = 0;
   double last_relative_shift_ = 0;
   std::size_t points_filtered_ = 0;

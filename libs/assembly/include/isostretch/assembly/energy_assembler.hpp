@@ -6,6 +6,7 @@
 #include <isostretch/projection/filter.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace isostretch::assembly {
@@ -55,14 +56,16 @@ class EnergyAssembler {
   std::vector<double> stretches(const double* x) const;
 
  private:
-  struct Contribution {
-    std::size_t slot;  // first entry of the block in the slots
-    bool transposed;
-  };
+  // Twice the number of a dim x dim block in the slots, plus one where it is wanted transposed.
+  using Contribution = std::uint32_t;
+  static constexpr std::size_t max_contribution = 0x7fffffff;
 
+  void order_elements(const Elements& elements);
   void chunk_elements(const Elements& elements);
   void index_gradient();
 
+  template <int Dim>
+  void gather_hessian(double* values) const;
   template <class Body>
   void for_each_chunk(const Body& body) const;
 
@@ -80,16 +83,16 @@ class EnergyAssembler {
   std::vector<double> chunk_gradients_;
   std::vector<double> chunk_weights_;
 
-  std::vector<int> nodes_of_element_;
+  std::vector<int> original_;          // element of the caller, in the order of the chunks
+  std::vector<int> nodes_of_element_;  // in that order too
   std::vector<double> chunk_values_;
   std::vector<double> gradient_slots_;  // [element][node][dim]
   std::vector<double> hessian_slots_;   // [element][block a <= b][dim * dim]
   std::vector<std::size_t> gradient_start_;
   std::vector<std::size_t> gradient_index_;  // slots of each node
   const HessianPattern* pattern_ = nullptr;
-  std::vector<std::size_t> contribution_start_;
+  std::vector<std::uint32_t> contribution_start_;
   std::vector<Contribution> contributions_;  // of each block of the pattern
-  std::vector<std::size_t> touched_blocks_;
 };
 
 }  // namespace isostretch::assembly
