@@ -1,0 +1,16 @@
+#include "common/exit_code.hpp"
+
+namespace isostretch::app {
+
+std::string exit_code_help() {
+  return "Exit codes:\n"
+         "  0  success\n"
+         "  1  internal error, or out of memory\n"
+         "  2  wrong command line\n"
+         "  3  input unreadable or not usable\n"
+         "  4  output cannot be written\n"
+         "  5  stopped before converging (iterations, time, Ctrl-C); the best state is written\n"
+         "  6  the solver failed or the result has flipped elements; the best state is written";
+}
+
+}  // namespace isostretch::app

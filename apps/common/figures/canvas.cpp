@@ -1,0 +1,169 @@
+#include "common/figures/canvas.hpp"
+
+#include <isostretch/core/error.hpp>
+
+#include <cairo.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+namespace isostretch::app::figures {
+namespace {
+
+struct Release {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  void operator()(cairo_t* context) const { cairo_destroy(context); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, Release>;
+using Context = std::unique_ptr<cairo_t, Release>;
+
+void require(cairo_status_t status) {
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw Error(std::string("cannot draw the picture: ") + cairo_status_to_string(status));
+}
+
+cairo_status_t append(void* text, const unsigned char* data, unsigned int size) {
+  try {
+    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), size);
+    return CAIRO_STATUS_SUCCESS;
+  } catch (...) {
+    return CAIRO_STATUS_NO_MEMORY;
+  }
+}
+
+double share_before(Align align) {
+  return align == Align::start ? 0.0 : align == Align::middle ? 0.5 : 1.0;
+}
+
+// Where a UTF-8 character begins, so that no text is cut inside one.
+bool begins_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+}
+
+}  // namespace
+
+struct Canvas::State {
+  Surface surface;
+  Context context;
+
+  cairo_t* cr() const { return context.get(); }
+
+  void use(const LineStyle& style) const {
+    cairo_set_source_rgba(cr(), style.color.r, style.color.g, style.color.b, style.opacity);
+    cairo_set_line_width(cr(), style.width);
+  }
+  void use(Color color) const { cairo_set_source_rgb(cr(), color.r, color.g, color.b); }
+  void use(const TextStyle& style) const {
+    cairo_select_font_face(cr(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                           style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(cr(), style.size);
+    use(style.color);
+  }
+};
+
+Canvas::Canvas(int width, int height) : state_(std::make_unique<State>()) {
+  state_->surface.reset(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+  require(cairo_surface_status(state_->surface.get()));
+  state_->context.reset(cairo_create(state_->surface.get()));
+  cairo_set_line_join(state_->cr(), CAIRO_LINE_JOIN_ROUND);
+  cairo_set_source_rgb(state_->cr(), 1, 1, 1);
+  cairo_paint(state_->cr());
+}
+
+Canvas::~Canvas() = default;
+
+void Canvas::text(Point at, const std::string& text, const TextStyle& style) {
+  cairo_t* cr = state_->cr();
+  cairo_save(cr);
+  state_->use(style);
+  cairo_font_extents_t font;
+  cairo_font_extents(cr, &font);
+  cairo_translate(cr, at.x, at.y);
+  if (style.vertical) cairo_rotate(cr, -std::numbers::pi / 2);
+  const double left = -share_before(style.across) * text_width(text, style);
+  // Digits and capitals reach 0.73 of the size above the line: centred on them, not on the font's box.
+  const double base = style.down == Align::start    ? font.ascent
+                      : style.down == Align::middle ? 0.365 * style.size
+                                                    : -font.descent;
+  cairo_move_to(cr, left, base);
+  cairo_show_text(cr, text.c_str());
+  cairo_new_path(cr);  // or the next line would begin at the end of this text
+  cairo_restore(cr);
+}
+
+double Canvas::text_width(const std::string& text, const TextStyle& style) {
+  cairo_text_extents_t extents;
+  state_->use(style);
+  cairo_text_extents(state_->cr(), text.c_str(), &extents);
+  return extents.x_advance;
+}
+
+std::string Canvas::shortened(const std::string& text, double width, const TextStyle& style) {
+  if (text_width(text, style) <= width) return text;
+  for (std::size_t keep = text.size() / 2; keep > 0; --keep) {
+    const std::size_t tail = text.size() - keep;
+    if (!begins_character(text[keep]) || !begins_character(text[tail])) continue;
+    const std::string shorter = text.substr(0, keep) + "…" + text.substr(tail);
+    if (text_width(shorter, style) <= width) return shorter;
+  }
+  return "…";
+}
+
+void Canvas::line(Point from, Point to, const LineStyle& style) {
+  polyline({from, to}, style);
+}
+
+void Canvas::polyline(const std::vector<Point>& points, const LineStyle& style) {
+  state_->use(style);
+  for (const Point& p : points) cairo_line_to(state_->cr(), p.x, p.y);
+  cairo_stroke(state_->cr());
+}
+
+void Canvas::dot(Point at, double radius, Color color) {
+  state_->use(color);
+  cairo_arc(state_->cr(), at.x, at.y, radius, 0, 2 * std::numbers::pi);
+  cairo_fill(state_->cr());
+}
+
+void Canvas::ring(Point at, double radius, const LineStyle& style) {
+  state_->use(style);
+  cairo_arc(state_->cr(), at.x, at.y, radius, 0, 2 * std::numbers::pi);
+  cairo_stroke(state_->cr());
+}
+
+void Canvas::fill(const Box& box, Color color) {
+  state_->use(color);
+  cairo_rectangle(state_->cr(), box.x, box.y, box.width, box.height);
+  cairo_fill(state_->cr());
+}
+
+void Canvas::frame(const Box& box, const LineStyle& style) {
+  state_->use(style);
+  cairo_rectangle(state_->cr(), box.x, box.y, box.width, box.height);
+  cairo_stroke(state_->cr());
+}
+
+void Canvas::image(const Raster& raster, Point corner) {
+  const Surface copy(cairo_image_surface_create(CAIRO_FORMAT_RGB24, raster.width(), raster.height()));
+  require(cairo_surface_status(copy.get()));
+  unsigned char* rows = cairo_image_surface_get_data(copy.get());
+  const int stride = cairo_image_surface_get_stride(copy.get());
+  const auto pixels = raster.pixels();
+  for (int y = 0; y < raster.height(); ++y)
+    std::memcpy(rows + static_cast<std::ptrdiff_t>(y) * stride,
+                pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width()),
+                static_cast<std::size_t>(raster.width()) * sizeof(pixels[0]));
+  cairo_surface_mark_dirty(copy.get());
+  cairo_set_source_surface(state_->cr(), copy.get(), corner.x, corner.y);
+  cairo_paint(state_->cr());
+}
+
+std::string Canvas::png() const {
+  std::string bytes;
+  require(cairo_status(state_->cr()));
+  require(cairo_surface_write_to_png_stream(state_->surface.get(), append, &bytes));
+  return bytes;
+}
+
+}  // namespace isostretch::app::figures

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace isostretch::app::figures {
+
+// sRGB, each from 0 to 1.
+struct Color {
+  double r = 0, g = 0, b = 0;
+};
+
+// From pale yellow (0) over red to dark violet (1): lightness falls steadily in OKLab (Ottosson 2020), so
+// that the order of values survives a grey print and colour-blind eyes. Values outside are clamped.
+Color distortion_color(double value);
+
+// Outside the scale altogether: elements that are turned over.
+inline constexpr Color flipped_color{0.0, 0.75, 0.95};
+
+}  // namespace isostretch::app::figures

@@ -1,0 +1,148 @@
+#include "common/figures/layout_plot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace isostretch::app::figures {
+namespace {
+
+constexpr Eigen::Index few_triangles = 6000;  // more, and edges would hide the colours
+constexpr std::size_t few_flips = 200;
+
+// uv to pixels: the layout centred in the box, v upwards.
+class Fit {
+ public:
+  Fit(const mesh::Points2& uv, const Box& box) {
+    const Eigen::RowVector2d low = uv.colwise().minCoeff(), high = uv.colwise().maxCoeff();
+    const Eigen::RowVector2d size = (high - low).cwiseMax(1e-300);
+    scale_ = std::min(box.width / size.x(), box.height / size.y());
+    center_ = 0.5 * (low + high);
+    middle_ = {box.x + 0.5 * box.width, box.y + 0.5 * box.height};
+  }
+  Point operator()(const Eigen::RowVector2d& p) const {
+    return {middle_.x + scale_ * (p.x() - center_.x()), middle_.y - scale_ * (p.y() - center_.y())};
+  }
+
+ private:
+  double scale_;
+  Eigen::RowVector2d center_;
+  Point middle_;
+};
+
+void fill(Raster& raster, const LayoutData& data, const Fit& fit, const Box& box, Eigen::Index t,
+          Color color) {
+  double corners[6];
+  for (int c = 0; c < 3; ++c) {
+    const Point p = fit(data.uv.row(data.triangles(t, c)));
+    corners[2 * c] = p.x - box.x;
+    corners[2 * c + 1] = p.y - box.y;
+  }
+  raster.fill_triangle(corners, color);
+}
+
+Raster rasterize(const LayoutData& data, const Fit& fit, const Box& box, const DistortionScale& scale) {
+  Raster raster(static_cast<int>(box.width), static_cast<int>(box.height));
+  for (Eigen::Index t = 0; t < data.triangles.rows(); ++t)
+    fill(raster, data, fit, box, t,
+         distortion_color(scale.color_value(data.distortions[static_cast<std::size_t>(t)])));
+  for (const int t : data.flipped) fill(raster, data, fit, box, t, flipped_color);
+  return raster;
+}
+
+struct Edges {
+  std::vector<std::array<int, 2>> inner, boundary;
+};
+
+Edges edges_of(const mesh::Triangles& triangles) {
+  std::vector<std::array<int, 2>> all;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      const auto [low, high] = std::minmax(triangles(t, c), triangles(t, (c + 1) % 3));
+      all.push_back({low, high});
+    }
+  std::sort(all.begin(), all.end());
+  Edges edges;
+  for (std::size_t i = 0, next = 0; i < all.size(); i = next) {
+    while (next < all.size() && all[next] == all[i]) ++next;
+    (next - i == 1 ? edges.boundary : edges.inner).push_back(all[i]);
+  }
+  return edges;
+}
+
+void draw_edges(Canvas& canvas, const std::vector<std::array<int, 2>>& edges, const LayoutData& data,
+                const Fit& fit, const LineStyle& style) {
+  for (const auto& [a, b] : edges) canvas.line(fit(data.uv.row(a)), fit(data.uv.row(b)), style);
+}
+
+// Flipped triangles are often too small to be seen.
+void circle_flips(Canvas& canvas, const LayoutData& data, const Fit& fit) {
+  if (data.flipped.size() > few_flips) return;
+  for (const int t : data.flipped) {
+    Eigen::RowVector2d middle = Eigen::RowVector2d::Zero();
+    for (int c = 0; c < 3; ++c) middle += data.uv.row(data.triangles(t, c)) / 3;
+    canvas.ring(fit(middle), 6, {flipped_color, 2, 1});
+  }
+}
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+  return text;
+}
+
+void draw_ticks(Canvas& canvas, const Box& bar, const DistortionScale& scale) {
+  double lowest_free = HUGE_VAL;
+  for (const Tick& tick : scale.axis.ticks) {
+    const double y = bar.bottom() - bar.height * scale.axis.position(tick.value);
+    if (y > lowest_free) continue;
+    canvas.line({bar.x - 5, y}, {bar.x, y});
+    canvas.text({bar.x - 8, y}, tick.label, {.across = Align::end});
+    lowest_free = y - 16;
+  }
+  if (scale.above)
+    canvas.text({bar.x + 0.5 * bar.width, bar.y - 9}, "▲", {.size = 10, .across = Align::middle});
+}
+
+}  // namespace
+
+void draw_layout(Canvas& canvas, const Box& box, const LayoutData& data, const DistortionScale& scale) {
+  if (data.uv.rows() == 0 || !data.uv.allFinite()) return;
+  const Fit fit(data.uv, {box.x + 2, box.y + 2, box.width - 4, box.height - 4});
+  canvas.image(rasterize(data, fit, box, scale), {box.x, box.y});
+  const Edges edges = edges_of(data.triangles);
+  if (data.triangles.rows() <= few_triangles)
+    draw_edges(canvas, edges.inner, data, fit, {.color = {0.1, 0.1, 0.1}, .width = 0.5, .opacity = 0.35});
+  draw_edges(canvas, edges.boundary, data, fit, {.color = {0.1, 0.1, 0.1}, .width = 1, .opacity = 0.9});
+  circle_flips(canvas, data, fit);
+  for (const int v : data.pins) {
+    canvas.dot(fit(data.uv.row(v)), 5, {1, 1, 1});
+    canvas.dot(fit(data.uv.row(v)), 3.5, {0.1, 0.1, 0.1});
+  }
+}
+
+void draw_distortion_scale(Canvas& canvas, const Box& box, const DistortionScale& scale) {
+  const Box bar{box.x + 52, box.y, 20, box.height};
+  constexpr int steps = 256;
+  for (int i = 0; i < steps; ++i) {
+    const double top = std::round(bar.bottom() - bar.height * (i + 1) / steps);
+    const double bottom = std::round(bar.bottom() - bar.height * i / steps);
+    canvas.fill({bar.x, top, bar.width, bottom - top}, distortion_color((i + 0.5) / steps));
+  }
+  canvas.frame(bar, {.width = 0.8});
+  draw_ticks(canvas, bar, scale);
+
+  const double left = bar.right() + 4, room = box.right() - left;
+  const double most = *std::max_element(scale.shares.begin(), scale.shares.end());
+  const double step = bar.height / static_cast<double>(scale.shares.size());
+  for (std::size_t i = 0; i < scale.shares.size(); ++i)
+    canvas.fill({left, bar.bottom() - step * static_cast<double>(i + 1) + 0.5, room * scale.shares[i] / most,
+                 step - 1},
+                {0.55, 0.58, 0.62});
+  canvas.text({box.right(), bar.bottom() + 14}, "longest bar: " + percent(most) + " of the area",
+              {.size = 11, .color = {0.35, 0.35, 0.35}, .across = Align::end});
+}
+
+}  // namespace isostretch::app::figures

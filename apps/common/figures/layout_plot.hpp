@@ -1,0 +1,28 @@
+#pragma once
+
+#include "common/figures/canvas.hpp"
+#include "common/figures/distortion_scale.hpp"
+
+#include <isostretch/mesh/types.hpp>
+
+#include <vector>
+
+namespace isostretch::app::figures {
+
+// A layout in the plane as the plots take it.
+struct LayoutData {
+  const mesh::Points2& uv;
+  const mesh::Triangles& triangles;
+  const std::vector<double>& distortions;  // per triangle
+  const std::vector<int>& flipped;         // triangles turned over, drawn last and in their own colour
+  const std::vector<int>& pins;            // vertices to mark
+};
+
+// Fits the layout into the box and draws it coloured by distortion, with its outline, and with its edges when
+// the triangles are few.
+void draw_layout(Canvas& canvas, const Box& box, const LayoutData& data, const DistortionScale& scale);
+
+// Colour bar with ticks on its left and the histogram of the area growing to its right.
+void draw_distortion_scale(Canvas& canvas, const Box& box, const DistortionScale& scale);
+
+}  // namespace isostretch::app::figures

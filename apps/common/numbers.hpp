@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isostretch::app {
+
+// The whole text as one finite number (whole number), independent of the locale; nothing otherwise.
+std::optional<double> finite_number(std::string_view text);
+std::optional<int> whole_number(std::string_view text);
+
+// Shortest text that reads back to the same bits; "nan", "inf".
+std::string exact_text(double value);
+
+std::vector<std::string> split(std::string_view text, char separator);
+
+// Checks for options of CLI11, which takes "nan" and "1e400" for numbers on its own.
+CLI::Validator not_negative();
+CLI::Validator positive();
+CLI::Validator whole_number_between(int lowest, int highest);
+
+}  // namespace isostretch::app

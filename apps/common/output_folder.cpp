@@ -1,0 +1,65 @@
+#include "common/output_folder.hpp"
+
+#include "common/exit_code.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace isostretch::app {
+namespace fs = std::filesystem;
+
+OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
+  try {
+    failing_with(ExitCode::output, [this] {
+      make_folder();
+      const AtomicFile probe((folder_ / "writable").string());  // never committed
+    });
+  } catch (...) {
+    take_folders_away();
+    throw;
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  files_.clear();
+  if (!committed_) take_folders_away();
+}
+
+void OutputFolder::make_folder() {
+  if (!folder_.has_filename()) folder_ = folder_.parent_path();  // "out/" is "out"
+  if (folder_.empty()) folder_ = "/";
+  for (fs::path p = folder_; !p.empty() && !fs::exists(p); p = p.parent_path()) made_.push_back(p);
+  std::reverse(made_.begin(), made_.end());
+  if (fs::exists(folder_) && !fs::is_directory(folder_))
+    throw Failure(ExitCode::output, folder_.string() + ": cannot write there: is not a folder");
+  fs::create_directories(folder_);
+}
+
+void OutputFolder::take_folders_away() noexcept {
+  std::error_code ignored;
+  // remove() leaves a folder alone that somebody else has put something into.
+  for (auto p = made_.rbegin(); p != made_.rend(); ++p) fs::remove(*p, ignored);
+}
+
+void OutputFolder::add(const std::string& name, std::string_view content) {
+  failing_with(ExitCode::output, [&] {
+    auto file = std::make_unique<AtomicFile>((folder_ / name).string());
+    file->write(content);
+    files_.push_back(std::move(file));
+    paths_.push_back(folder_ / name);
+  });
+}
+
+void OutputFolder::add_json(const std::string& name, const Json& json) {
+  // A path that is not UTF-8 must not keep the results from being written.
+  add(name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void OutputFolder::commit() {
+  failing_with(ExitCode::output, [this] {
+    for (auto& file : files_) file->commit();
+  });
+  committed_ = true;
+}
+
+}  // namespace isostretch::app

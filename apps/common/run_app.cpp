@@ -1,0 +1,78 @@
+#include "common/run_app.hpp"
+
+#include "common/interrupt.hpp"
+#include "common/numbers.hpp"
+#include "common/threads.hpp"
+
+#include <isostretch/core/isa.hpp>
+#include <isostretch/core/version.hpp>
+
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace isostretch::app {
+namespace {
+
+void declare_common(CLI::App& cli, CommonOptions& options) {
+  auto* quiet = cli.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
+  cli.add_flag("-v,--verbose", options.verbose, "Print debug messages and the full report")->excludes(quiet);
+  cli.add_option("--threads", options.threads, "Threads of parallel loops; results do not depend on it")
+      ->check(whole_number_between(1, 1024))
+      ->type_name("N");
+  cli.set_version_flag("--version", "isostretch " + std::string(version_string));
+  cli.footer("\n" + exit_code_help());
+}
+
+ExitCode parse_and_run(int argc, const char* const* argv, const AppDescription& description) {
+  CLI::App cli(description.purpose, description.name);
+  CommonOptions options;
+  description.declare(cli);
+  declare_common(cli, options);
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0)
+      throw Failure(ExitCode::command_line, std::string(error.what()) + " (--help lists the options)");
+    cli.exit(error, std::cout, std::cerr);
+    return ExitCode::success;
+  }
+  start_logging(options.verbosity());
+  set_threads(options.threads);
+  failing_with(ExitCode::command_line, [] { active_isa(); });  // ISOSTRETCH_ISA may ask for the impossible
+  catch_interrupts();
+  return description.body(options);
+}
+
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  return text;
+}
+
+int fail(ExitCode code, const std::string& message) {
+  report_error(one_line(message));
+  return static_cast<int>(code);
+}
+
+}  // namespace
+
+int run_app(int argc, const char* const* argv, const AppDescription& description) noexcept {
+  try {
+    try {
+      return static_cast<int>(parse_and_run(argc, argv, description));
+    } catch (const Failure& failure) {
+      return fail(failure.code(), failure.what());
+    } catch (const std::bad_alloc&) {
+      return fail(ExitCode::internal_error, "out of memory");
+    } catch (const std::exception& error) {
+      return fail(ExitCode::internal_error, std::string("internal error: ") + error.what());
+    }
+  } catch (...) {
+    std::fputs("error: internal error that could not even be reported\n", stderr);
+    return static_cast<int>(ExitCode::internal_error);
+  }
+}
+
+}  // namespace isostretch::app

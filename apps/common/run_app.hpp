@@ -1,0 +1,35 @@
+#pragma once
+
+#include "common/exit_code.hpp"
+#include "common/terminal.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+
+namespace isostretch::app {
+
+// Options every app has: --quiet, --verbose, --threads, --version.
+struct CommonOptions {
+  bool quiet = false;
+  bool verbose = false;
+  int threads = 0;  // 0: as OpenMP likes
+
+  Verbosity verbosity() const {
+    return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal;
+  }
+};
+
+struct AppDescription {
+  std::string name;
+  std::string purpose;
+  std::function<void(CLI::App&)> declare;                      // adds the app's own options
+  std::function<ExitCode(const CommonOptions& options)> body;  // the work, when they are read
+};
+
+// Parses, sets up logging, threads and interrupts, runs the body, and turns whatever is thrown into one line
+// on stderr and an exit code. Never throws.
+int run_app(int argc, const char* const* argv, const AppDescription& description) noexcept;
+
+}  // namespace isostretch::app

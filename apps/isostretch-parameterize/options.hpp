@@ -1,0 +1,69 @@
+#pragma once
+
+#include <isostretch/energies/any_energy.hpp>
+#include <isostretch/newton/options.hpp>
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isostretch::app::parameterize {
+
+using Point2 = Eigen::Vector2d;
+
+struct Pin {
+  int vertex = -1;               // of the input, from 0
+  std::optional<Point2> target;  // in output units; none: stays where the start has it
+};
+
+struct SoftPin {
+  int vertex = -1;
+  Point2 target{0, 0};  // in output units
+  double weight = 1;
+};
+
+enum class Initial { tutte, input };
+
+struct Options {
+  std::filesystem::path model;
+  std::filesystem::path out;
+  Initial initial = Initial::tutte;
+  bool triangulate = false;
+  bool cut = true;
+  bool keep_normalized = false;
+  bool picture = true;
+  std::vector<Pin> pins;
+  std::vector<SoftPin> soft_pins;
+  newton::Options newton;
+};
+
+// The options of this app: declared to CLI11, then read with everything that CLI11 cannot check itself.
+class CommandLine {
+ public:
+  void declare(CLI::App& cli);
+
+  // All of these throw Failure with ExitCode::command_line naming the option at fault.
+  Options options() const;
+  energies::AnyEnergy energy() const;
+
+ private:
+  void declare_energy(CLI::App& cli);
+  void declare_pins(CLI::App& cli);
+  void declare_solve(CLI::App& cli);
+  void declare_files(CLI::App& cli);
+
+  std::string model_, out_, energy_ = "symmetric_dirichlet", projection_ = "adaptive", initial_ = "tutte";
+  std::string solver_ = "automatic", ordering_ = "automatic";
+  std::vector<std::string> parameters_, pins_, soft_pins_;
+  std::optional<double> gradient_tolerance_;
+  double time_limit_ = 0;
+  int max_iterations_ = newton::Options{}.max_iterations;
+  bool triangulate_ = false, no_cut_ = false, keep_normalized_ = false, no_picture_ = false;
+};
+
+}  // namespace isostretch::app::parameterize

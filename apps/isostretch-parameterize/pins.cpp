@@ -1,0 +1,134 @@
+#include "pins.hpp"
+
+#include "common/exit_code.hpp"
+#include "common/interrupt.hpp"
+#include "common/terminal.hpp"
+#include "similarity.hpp"
+
+#include <isostretch/mesh/orientation.hpp>
+#include <isostretch/newton/minimize.hpp>
+
+#include <set>
+#include <string>
+
+namespace isostretch::app::parameterize {
+namespace {
+
+bool has_targets(const Pins& pins) {
+  for (const HardPin& pin : pins.hard)
+    if (pin.target) return true;
+  return false;
+}
+
+bool at_targets(const Eigen::VectorXd& x, const Pins& pins) {
+  for (const HardPin& pin : pins.hard)
+    if (pin.target && x.segment<2>(2 * pin.node) != *pin.target) return false;
+  return true;
+}
+
+void snap(Eigen::VectorXd& x, const Pins& pins) {
+  for (const HardPin& pin : pins.hard)
+    if (pin.target) x.segment<2>(2 * pin.node) = *pin.target;
+}
+
+void align(Eigen::VectorXd& x, const Pins& pins) {
+  std::vector<Point2> from, to;
+  for (const HardPin& pin : pins.hard)
+    if (pin.target) {
+      from.push_back(x.segment<2>(2 * pin.node));
+      to.push_back(*pin.target);
+    }
+  const Similarity similarity = best_similarity(from, to);
+  for (Eigen::Index i = 0; i < x.size(); i += 2) x.segment<2>(i) = similarity(x.segment<2>(i));
+}
+
+// True and x moved onto the targets when that leaves no triangle turned over.
+bool snap_without_flips(Eigen::VectorXd& x, const Pins& pins, const mesh::Triangles& triangles,
+                        int& culprit) {
+  Eigen::VectorXd trial = x;
+  snap(trial, pins);
+  const auto flipped = mesh::orientation(points(trial), triangles).flipped;
+  if (!flipped.empty()) {
+    culprit = flipped.front();
+    return false;
+  }
+  x = trial;
+  return true;
+}
+
+// A few iterations with the targets as soft pins of that weight.
+void pull(Eigen::VectorXd& x, const Pins& pins, double weight, const assembly::Elements& elements,
+          const energies::AnyEnergy& energy, newton::Options options) {
+  newton::Objective objective(2, elements.node_count);
+  objective.add<newton::EnergyTerm>(elements, energy);
+  std::vector<newton::SoftPin> soft;
+  for (const HardPin& pin : pins.hard) {
+    if (pin.target)
+      soft.push_back({pin.node, *pin.target, weight});
+    else
+      objective.pin(pin.node);
+  }
+  objective.add<newton::SoftPinTerm>(2, elements.node_count, soft);
+  options.max_iterations = 30;
+  newton::minimize(objective, x, options, [](const auto&, const auto&) {
+    return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
+  });
+}
+
+}  // namespace
+
+std::vector<int> Pins::nodes() const {
+  std::vector<int> all;
+  for (const HardPin& pin : hard) all.push_back(pin.node);
+  for (const newton::SoftPin& pin : soft) all.push_back(pin.node);
+  return all;
+}
+
+Eigen::VectorXd positions(const mesh::Points2& uv) {
+  return Eigen::Map<const Eigen::VectorXd>(uv.data(), uv.size());
+}
+
+mesh::Points2 points(const Eigen::VectorXd& x) {
+  return Eigen::Map<const mesh::Points2>(x.data(), x.size() / 2, 2);
+}
+
+Pins resolve_pins(const Domain& domain, const Start& start, const Options& options) {
+  Pins pins;
+  std::set<int> hard;
+  for (const Pin& pin : options.pins) {
+    HardPin resolved;
+    resolved.node = open_vertex(domain, pin.vertex, "--pin");
+    if (pin.target) {
+      resolved.target = *pin.target / start.unit_length;
+      resolved.output = pin.target->transpose();
+    }
+    hard.insert(resolved.node);
+    pins.hard.push_back(resolved);
+  }
+  for (const SoftPin& pin : options.soft_pins) {
+    const int node = open_vertex(domain, pin.vertex, "--soft-pin");
+    if (hard.count(node) != 0)
+      throw Failure(ExitCode::command_line,
+                    "--soft-pin: vertex " + std::to_string(pin.vertex) + " is pinned hard as well");
+    pins.soft.push_back({node, pin.target / start.unit_length, pin.weight});
+  }
+  return pins;
+}
+
+void place_hard_pins(Eigen::VectorXd& x, const Pins& pins, const assembly::Elements& elements,
+                     const energies::AnyEnergy& energy, const Domain& domain, const Options& options) {
+  if (!has_targets(pins) || at_targets(x, pins)) return;
+  align(x, pins);
+  if (!energy.has_barrier()) return snap(x, pins);
+  int culprit = -1;
+  if (snap_without_flips(x, pins, domain.open.triangles, culprit)) return;
+  notice("pulling the layout towards the pins first: moved there at once they turn triangles over");
+  for (double weight = 1; weight <= 1e6 && !interrupted(); weight *= 10) {
+    pull(x, pins, weight, elements, energy, options.newton);
+    if (snap_without_flips(x, pins, domain.open.triangles, culprit)) return;
+  }
+  throw Failure(ExitCode::input, "the hard pins cannot be reached without turning over triangle " +
+                                     std::to_string(culprit) + "; move them or use --soft-pin");
+}
+
+}  // namespace isostretch::app::parameterize

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "start.hpp"
+
+#include <isostretch/assembly/elements.hpp>
+#include <isostretch/newton/term.hpp>
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace isostretch::app::parameterize {
+
+struct HardPin {
+  int node = -1;
+  std::optional<Point2> target;              // in the solver's units
+  std::optional<Eigen::RowVector2d> output;  // the same in output units, as it was asked for
+};
+
+struct Pins {
+  std::vector<HardPin> hard;
+  std::vector<newton::SoftPin> soft;
+  std::vector<int> nodes() const;
+};
+
+// Node by node, the order the solver wants.
+Eigen::VectorXd positions(const mesh::Points2& uv);
+mesh::Points2 points(const Eigen::VectorXd& x);
+
+// The pins on the command line in the solver's numbers and units. Throws Failure (ExitCode::command_line) for
+// vertices that do not exist or are not one in the layout, and for a vertex pinned both ways.
+Pins resolve_pins(const Domain& domain, const Start& start, const Options& options);
+
+// Moves the layout so that the hard pins with targets lie on them. A similarity comes first, which brings two
+// pins home exactly. Where more pins would turn triangles over and the energy has a barrier, the layout is
+// pulled towards the targets with soft pins until it can take them. Throws Failure (ExitCode::input) naming
+// a triangle when it never can.
+void place_hard_pins(Eigen::VectorXd& x, const Pins& pins, const assembly::Elements& elements,
+                     const energies::AnyEnergy& energy, const Domain& domain, const Options& options);
+
+}  // namespace isostretch::app::parameterize
