@@ -46,4 +46,16 @@ auto failing_with(ExitCode code, Work&& work) {
   }
 }
 
+// Puts the name of the file in front of an Error that knows only what is wrong in it.
+template <class Work>
+auto naming_file(const std::filesystem::path& file, Work&& work) {
+  try {
+    return std::forward<Work>(work)();
+  } catch (const Failure&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(file.string() + ": " + error.what());
+  }
+}
+
 }  // namespace isostretch::app

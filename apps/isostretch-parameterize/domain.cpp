@@ -73,15 +73,12 @@ Domain read_domain(const Options& options) {
                                       {.triangulate_polygons = options.triangulate, .read_uv = with_uv});
     const mesh::Report report = mesh::check(domain.input, 1);
     domain.boundary_loops = report.boundary_loops;
-    const std::string name = options.model.string() + ": ";
-    try {
+    naming_file(options.model, [&] {
       if (with_uv)
         open_along_seams(domain);
       else
         keep_closed_or_cut(domain, report, options.cut);
-    } catch (const Error& error) {
-      throw Error(name + error.what());
-    }
+    });
     return domain;
   });
 }

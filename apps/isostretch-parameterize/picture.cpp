@@ -24,10 +24,10 @@ std::string subtitle(const Domain& domain, const Solution& solution) {
   const newton::Summary& s = solution.summary;
   return format(
       "%lld triangles   ·   %s after %d iterations, %.3g s   ·   energy %.10g   ·   "
-      "|gradient|∞ %.2e   ·   %zu flipped",
+      "|gradient|∞ %.2e   ·   %zu flipped%s",
       static_cast<long long>(domain.open.triangles.rows()),
       std::string(newton::status_name(s.status)).c_str(), s.iterations, s.seconds.total, s.energy,
-      s.gradient_inf_norm, solution.flipped.size());
+      s.gradient_inf_norm, solution.flipped.size(), solution.flipped.empty() ? "" : " (blue)");
 }
 
 }  // namespace

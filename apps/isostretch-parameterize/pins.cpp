@@ -127,6 +127,8 @@ void place_hard_pins(Eigen::VectorXd& x, const Pins& pins, const assembly::Eleme
     pull(x, pins, weight, elements, energy, options.newton);
     if (snap_without_flips(x, pins, domain.open.triangles, culprit)) return;
   }
+  if (interrupted())
+    throw Failure(ExitCode::not_converged, "interrupted before the layout took the pins; nothing is written");
   throw Failure(ExitCode::input, "the hard pins cannot be reached without turning over triangle " +
                                      std::to_string(culprit) + "; move them or use --soft-pin");
 }
