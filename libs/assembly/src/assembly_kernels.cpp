@@ -10,8 +10,9 @@ using projection::BlockCoefficients;
 using projection::Mat;
 using projection::PointChunk;
 
-ISOSTRETCH_INLINE Pack entry(const double* data, std::size_t stride, int e, int i) {
-  return load<Pack>(data + static_cast<std::size_t>(e) * stride + i);
+template <class T = Pack>
+ISOSTRETCH_INLINE T entry(const double* data, std::size_t stride, int e, int i) {
+  return load<T>(data + static_cast<std::size_t>(e) * stride + i);
 }
 
 ISOSTRETCH_INLINE void add_entry(double* data, std::size_t stride, int e, int i, Pack value) {
@@ -33,14 +34,14 @@ void gather(const ElementChunk& chunk, const double* x, double* X) {
 
 // sum over nodes of x_a g_a^T, as differences to node 0, whose gradient is minus the sum of the others':
 // exact for translations, and one node cheaper.
-template <int Dim, int Nodes>
-ISOSTRETCH_INLINE Mat<Dim, Pack> gradient_of(const ElementChunk& chunk, const double* X, int i) {
-  Mat<Dim, Pack> F;
+template <int Dim, int Nodes, class T>
+ISOSTRETCH_INLINE Mat<Dim, T> gradient_of(const ElementChunk& chunk, const double* X, int i) {
+  Mat<Dim, T> F;
   for (int a = 1; a < Nodes; ++a) {
-    Pack difference[Dim], g[Dim];
+    T difference[Dim], g[Dim];
     for (int c = 0; c < Dim; ++c) {
-      difference[c] = entry(X, chunk.stride, a * Dim + c, i) - entry(X, chunk.stride, c, i);
-      g[c] = entry(chunk.gradients, chunk.stride, a * Dim + c, i);
+      difference[c] = entry<T>(X, chunk.stride, a * Dim + c, i) - entry<T>(X, chunk.stride, c, i);
+      g[c] = entry<T>(chunk.gradients, chunk.stride, a * Dim + c, i);
     }
     for (int r = 0; r < Dim; ++r)
       for (int c = 0; c < Dim; ++c)
@@ -51,18 +52,12 @@ ISOSTRETCH_INLINE Mat<Dim, Pack> gradient_of(const ElementChunk& chunk, const do
 
 template <int Dim, int Nodes>
 void deform(const ElementChunk& chunk, const double* X, const PointChunk& points, bool vectors) {
-  for (int i = 0; i < chunk.count; i += lanes) {
-    linalg::Svd<Dim, Pack> svd;
-    const Mat<Dim, Pack> F = gradient_of<Dim, Nodes>(chunk, X, i);
-    if (vectors) {
-      linalg::signed_svd<Dim, true>(F, svd);
-      projection::store_matrix<Dim>(points.U, points.stride, i, svd.U);
-      projection::store_matrix<Dim>(points.V, points.stride, i, svd.V);
-    } else {
-      linalg::signed_svd<Dim, false>(F, svd);
-    }
-    for (int e = 0; e < Dim; ++e)
-      store(points.sigma + static_cast<std::size_t>(e) * points.stride + i, svd.sigma[e]);
+  for (int i = 0; i < chunk.count; i += wide_lanes) {
+    const auto F = gradient_of<Dim, Nodes, WidePack>(chunk, X, i);
+    if (vectors)
+      projection::decompose<Dim, true>(F, points, i);
+    else
+      projection::decompose<Dim, false>(F, points, i);
   }
 }
 
@@ -149,7 +144,8 @@ int differentiate(const ElementChunk& chunk, const PointChunk& points,
 template <int Dim, int Nodes>
 void determinant(const ElementChunk& chunk, const double* X, const double* DX, double* coefficients) {
   for (int i = 0; i < chunk.count; i += lanes) {
-    const Mat<Dim, Pack> F = gradient_of<Dim, Nodes>(chunk, X, i), D = gradient_of<Dim, Nodes>(chunk, DX, i);
+    const auto F = gradient_of<Dim, Nodes, Pack>(chunk, X, i),
+               D = gradient_of<Dim, Nodes, Pack>(chunk, DX, i);
     const auto put = [&](int e, Pack value) {
       store(coefficients + static_cast<std::size_t>(e) * chunk.stride + i, value);
     };

@@ -155,7 +155,7 @@ void EnergyAssembler::for_each_chunk(const Body& body) const {
     for (int c = 0; c < chunk_count_; ++c) {
       ElementChunk chunk{};
       chunk.real = std::min(chunk_, element_count_ - c * chunk_);
-      chunk.count = (chunk.real + 7) / 8 * 8;
+      chunk.count = projection::padded_count(chunk.real);
       chunk.stride = lanes;
       chunk.nodes = chunk_nodes_.data() + size(c * nodes_) * lanes;
       work.points.count = work.points.stretch.count = chunk.count;

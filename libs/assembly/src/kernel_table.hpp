@@ -12,7 +12,7 @@ namespace isostretch::assembly {
 
 // One chunk of elements in structure-of-arrays order; entry e of element i at data[e * stride + i].
 struct ElementChunk {
-  int count;                // padded to a multiple of 8 by repeating the last element
+  int count;                // projection::padded_count(real), the last element repeated
   int real;                 // elements that count
   std::size_t stride;       // projection::chunk_size(dim)
   const int* nodes;         // nodes_per_element entries

@@ -1,6 +1,7 @@
 // Compiled once per instruction-set level: see cmake/IsostretchKernels.cmake for what may be included here.
 #include "kernel_table.hpp"
 
+#include <isostretch/core/pack_pair.hpp>
 #include <isostretch/linalg/batches.hpp>
 #include <isostretch/linalg/svd.hpp>
 #include <isostretch/linalg/symmetric_eigen.hpp>
@@ -9,59 +10,52 @@ namespace isostretch::linalg {
 namespace ISOSTRETCH_KERNELS {
 namespace {
 
-// Matrices of lanes i ... i + lanes - 1; lanes beyond the end of the batch repeat its last matrix.
-template <int Entries>
-struct Gather {
-  const double* data;
-  std::size_t stride, first, count;
+// Entries of matrices first ... first + wide_lanes - 1; beyond the end of the batch the last matrix is
+// repeated.
+ISOSTRETCH_INLINE WidePack gather(const double* entry, std::size_t first, std::size_t count) {
+  if (first + wide_lanes <= count) return load<WidePack>(entry + first);
+  double buffer[wide_lanes];
+  for (std::size_t k = 0; k < wide_lanes; ++k) buffer[k] = entry[first + k < count ? first + k : count - 1];
+  return load<WidePack>(buffer);
+}
 
-  ISOSTRETCH_INLINE Pack operator()(int entry) const {
-    const double* p = data + static_cast<std::size_t>(entry) * stride + first;
-    if (first + lanes <= count) return load<Pack>(p);
-    double buffer[lanes];
-    for (std::size_t k = 0; k < lanes; ++k) buffer[k] = p[first + k < count ? k : count - 1 - first];
-    return load<Pack>(buffer);
-  }
-};
-
-ISOSTRETCH_INLINE void scatter(double* data, std::size_t stride, std::size_t first, std::size_t count,
-                               int entry, Pack value) {
-  double* p = data + static_cast<std::size_t>(entry) * stride + first;
-  if (first + lanes <= count) return store(p, value);
-  double buffer[lanes];
+ISOSTRETCH_INLINE void scatter(double* entry, std::size_t first, std::size_t count, WidePack value) {
+  if (first + wide_lanes <= count) return store(entry + first, value);
+  double buffer[wide_lanes];
   store(buffer, value);
-  for (std::size_t k = 0; first + k < count; ++k) p[k] = buffer[k];
+  for (std::size_t k = 0; first + k < count; ++k) entry[first + k] = buffer[k];
 }
 
 template <int Dim>
-ISOSTRETCH_INLINE Mat<Dim, Pack> gather_matrix(const double* data, std::size_t stride, std::size_t first,
-                                               std::size_t count) {
-  const Gather<Dim * Dim> entry{data, stride, first, count};
-  Mat<Dim, Pack> M;
+ISOSTRETCH_INLINE Mat<Dim, WidePack> gather_matrix(const double* data, std::size_t stride, std::size_t first,
+                                                   std::size_t count) {
+  Mat<Dim, WidePack> M;
   for (int j = 0; j < Dim; ++j)
-    for (int i = 0; i < Dim; ++i) M[i][j] = entry(i + Dim * j);
+    for (int i = 0; i < Dim; ++i)
+      M[i][j] = gather(data + static_cast<std::size_t>(i + Dim * j) * stride, first, count);
   return M;
 }
 
 template <int Dim>
 ISOSTRETCH_INLINE void scatter_matrix(double* data, std::size_t stride, std::size_t first, std::size_t count,
-                                      const Mat<Dim, Pack>& M) {
+                                      const Mat<Dim, WidePack>& M) {
   if (data == nullptr) return;
   for (int j = 0; j < Dim; ++j)
-    for (int i = 0; i < Dim; ++i) scatter(data, stride, first, count, i + Dim * j, M[i][j]);
+    for (int i = 0; i < Dim; ++i)
+      scatter(data + static_cast<std::size_t>(i + Dim * j) * stride, first, count, M[i][j]);
 }
 
 template <int Dim>
 ISOSTRETCH_INLINE void scatter_vector(double* data, std::size_t stride, std::size_t first, std::size_t count,
-                                      const Pack (&v)[Dim]) {
+                                      const WidePack (&v)[Dim]) {
   if (data == nullptr) return;
-  for (int i = 0; i < Dim; ++i) scatter(data, stride, first, count, i, v[i]);
+  for (int i = 0; i < Dim; ++i) scatter(data + static_cast<std::size_t>(i) * stride, first, count, v[i]);
 }
 
 template <int Dim>
 void svd_batch(const SvdBatch& batch) {
-  for (std::size_t i = 0; i < batch.count; i += lanes) {
-    Svd<Dim, Pack> svd;
+  for (std::size_t i = 0; i < batch.count; i += wide_lanes) {
+    Svd<Dim, WidePack> svd;
     signed_svd(gather_matrix<Dim>(batch.F, batch.stride, i, batch.count), svd);
     scatter_matrix<Dim>(batch.U, batch.stride, i, batch.count, svd.U);
     scatter_vector<Dim>(batch.sigma, batch.stride, i, batch.count, svd.sigma);
@@ -71,14 +65,14 @@ void svd_batch(const SvdBatch& batch) {
 
 template <int Dim>
 void polar_batch(const PolarBatch& batch) {
-  for (std::size_t n = 0; n < batch.count; n += lanes) {
-    Svd<Dim, Pack> svd;
+  for (std::size_t n = 0; n < batch.count; n += wide_lanes) {
+    Svd<Dim, WidePack> svd;
     signed_svd(gather_matrix<Dim>(batch.F, batch.stride, n, batch.count), svd);
-    Mat<Dim, Pack> R, S;
+    Mat<Dim, WidePack> R, S;
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < Dim; ++j) {
-        Pack r = svd.U[i][0] * svd.V[j][0];
-        Pack s = svd.V[i][0] * svd.sigma[0] * svd.V[j][0];
+        WidePack r = svd.U[i][0] * svd.V[j][0];
+        WidePack s = svd.V[i][0] * svd.sigma[0] * svd.V[j][0];
         for (int k = 1; k < Dim; ++k) {
           r = fma(svd.U[i][k], svd.V[j][k], r);
           s = fma(svd.V[i][k] * svd.sigma[k], svd.V[j][k], s);
@@ -95,11 +89,11 @@ void polar_batch(const PolarBatch& batch) {
 
 template <int Dim>
 void eigen_batch(const EigenBatch& batch) {
-  for (std::size_t n = 0; n < batch.count; n += lanes) {
-    Mat<Dim, Pack> A = gather_matrix<Dim>(batch.A, batch.stride, n, batch.count);
+  for (std::size_t n = 0; n < batch.count; n += wide_lanes) {
+    Mat<Dim, WidePack> A = gather_matrix<Dim>(batch.A, batch.stride, n, batch.count);
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < i; ++j) A[j][i] = A[i][j];
-    SymmetricEigen<Dim, Pack> eigen;
+    SymmetricEigen<Dim, WidePack> eigen;
     symmetric_eigen(A, eigen);
     scatter_vector<Dim>(batch.lambda, batch.stride, n, batch.count, eigen.lambda);
     scatter_matrix<Dim>(batch.Q, batch.stride, n, batch.count, eigen.Q);

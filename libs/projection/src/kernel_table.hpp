@@ -1,22 +1,30 @@
 #pragma once
 
+#include <cstddef>
+
 namespace isostretch::projection {
 
 struct PointChunk;
 struct FilterOptions;
 
-// Stress and packed Hessians of a chunk whose derivatives are known; outputs have the chunk's stride and may
-// be null.
-struct ChunkOutputs {
-  double* P;
-  double* H;
-  unsigned char* changed;  // per point: 1 where some eigenvalue was changed
+// Where the results of a chunk whose derivatives are known go, and rest gradients when element blocks are
+// wanted; entry e of point i at data[e * stride + i]. Null outputs are skipped.
+struct ChunkTask {
+  std::size_t stride;
+  double* P;                // stress
+  double* H;                // packed Hessian over vec(F)
+  double* G;                // element gradient
+  double* K;                // packed element Hessian
+  const double* gradients;  // (nodes - 1) * dim rest gradients, when G or K is given
+  const double* weights;    // of the points, when G or K is given
+  unsigned char* changed;   // per point: 1 where some eigenvalue was changed
 };
 
 struct ProjectionKernels {
-  void (*decompose[2])(const PointChunk& chunk);
+  // F (f_stride apart) -> U, sigma, V of the chunk.
+  void (*decompose[2])(const PointChunk& chunk, const double* F, std::size_t f_stride);
   void (*finish[2])(const PointChunk& chunk, const FilterOptions& filter, bool coupled,
-                    const ChunkOutputs& out);
+                    const ChunkTask& task);
 };
 
 }  // namespace isostretch::projection

@@ -18,78 +18,130 @@ ISOSTRETCH_DISPATCH(ProjectionKernels, projection_kernels)
 
 namespace {
 
-struct Workspace {
-  explicit Workspace(int dim)
-      : memory(point_chunk_doubles(dim) +
-               static_cast<std::size_t>(chunk_size(dim) * (dim * dim + packed_entries(dim)))),
-        chunk(bind_point_chunk(dim, memory.data())),
-        P(memory.data() + point_chunk_doubles(dim)),
-        H(P + static_cast<std::size_t>(chunk_size(dim) * dim * dim)) {}
+int packed_entries(int n) {
+  return n * (n + 1) / 2;
+}
 
-  static int packed_entries(int dim) { return dim * dim * (dim * dim + 1) / 2; }
-
-  std::vector<double> memory;
-  PointChunk chunk;
-  double* P;
-  double* H;
-  std::array<unsigned char, chunk_size_2d> changed{};
+// One array of the batch: how many entries a point has, and where they are.
+struct Output {
+  double* data;
+  int entries;
 };
 
-// Copies `entries` arrays of `points` values between different strides.
-void copy_points(const double* from, std::size_t from_stride, double* to, std::size_t to_stride, int entries,
-                 std::size_t points) {
+// Scratch for one chunk: the pipeline's arrays, and space for the last chunk, which may not be full.
+class Workspace {
+ public:
+  explicit Workspace(int dim)
+      : memory_(point_chunk_doubles(dim) + static_cast<std::size_t>(chunk_size(dim)) * tail_entries(dim)),
+        chunk(bind_point_chunk(dim, memory_.data())),
+        tail_(memory_.data() + point_chunk_doubles(dim)) {}
+
+  // `entries` arrays of the tail.
+  double* take(int entries) {
+    double* block = tail_;
+    tail_ += static_cast<std::size_t>(entries) * chunk.stride;
+    return block;
+  }
+
+ private:
+  static std::size_t tail_entries(int dim) {
+    const int n = dim * dim, m = dim * (dim + 1);
+    return static_cast<std::size_t>(n + n + packed_entries(n) + n + 1 + m + packed_entries(m));
+  }
+
+  std::vector<double> memory_;
+
+ public:
+  PointChunk chunk;
+  std::array<unsigned char, chunk_size_2d> changed{};
+
+ private:
+  double* tail_;
+};
+
+// Points begin ... begin + points - 1 of a batch array, padded by repeating the last, in the tail.
+const double* padded_copy(const double* data, std::size_t stride, std::size_t begin, std::size_t points,
+                          int entries, Workspace& work) {
+  if (data == nullptr) return nullptr;
+  double* copy = work.take(entries);
   for (int e = 0; e < entries; ++e)
-    std::copy_n(from + static_cast<std::size_t>(e) * from_stride, points,
-                to + static_cast<std::size_t>(e) * to_stride);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(work.chunk.count); ++i)
+      copy[static_cast<std::size_t>(e) * work.chunk.stride + i] =
+          data[static_cast<std::size_t>(e) * stride + begin + std::min(i, points - 1)];
+  return copy;
 }
 
-void load_points(int dim, const HessianBatch& batch, std::size_t begin, std::size_t points,
-                 PointChunk& chunk) {
-  copy_points(batch.F + begin, batch.stride, chunk.F, chunk.stride, dim * dim, points);
-  chunk.count = static_cast<int>((points + 7) / 8 * 8);
-  chunk.stretch.count = chunk.count;
-  for (int e = 0; e < dim * dim; ++e)
-    for (std::size_t i = points; i < static_cast<std::size_t>(chunk.count); ++i)
-      chunk.F[static_cast<std::size_t>(e) * chunk.stride + i] = e % (dim + 1) == 0 ? 1.0 : 0.0;
+void copy_back(const Output& from, std::size_t from_stride, double* to, std::size_t to_stride,
+               std::size_t begin, std::size_t points) {
+  if (to == nullptr) return;
+  for (int e = 0; e < from.entries; ++e)
+    std::copy_n(from.data + static_cast<std::size_t>(e) * from_stride, points,
+                to + static_cast<std::size_t>(e) * to_stride + begin);
 }
 
-void mark_infinite(const PointChunk& chunk, double* data, int entries, std::size_t points) {
+void mark_infinite(const double* psi, const Output& output, std::size_t stride, std::size_t points) {
+  if (output.data == nullptr) return;
   for (std::size_t i = 0; i < points; ++i)
-    if (!std::isfinite(chunk.stretch.psi[i]))
-      for (int e = 0; e < entries; ++e)
-        data[static_cast<std::size_t>(e) * chunk.stride + i] = std::numeric_limits<double>::quiet_NaN();
+    if (!std::isfinite(psi[i]))
+      for (int e = 0; e < output.entries; ++e)
+        output.data[static_cast<std::size_t>(e) * stride + i] = std::numeric_limits<double>::quiet_NaN();
+}
+
+void require_valid(const energies::AnyEnergy& energy, int dim, const HessianBatch& batch) {
+  if (dim != 2 && dim != 3)
+    throw Error("deformation gradients are 2x2 or 3x3, not of dim " + std::to_string(dim));
+  if (!energy.supports(dim))
+    throw Error("energy '" + energy.name() + "' does not exist in " + std::to_string(dim) + "D");
+  if (batch.stride < batch.count)
+    throw Error("batch of " + std::to_string(batch.count) + " points has a stride of only " +
+                std::to_string(batch.stride));
+  if ((batch.G != nullptr || batch.K != nullptr) && (batch.gradients == nullptr || batch.weights == nullptr))
+    throw Error("element gradients and Hessians need rest gradients and weights");
 }
 
 }  // namespace
 
 std::size_t evaluate(const energies::AnyEnergy& energy, int dim, const FilterOptions& filter,
                      const HessianBatch& batch) {
-  if (dim != 2 && dim != 3)
-    throw Error("deformation gradients are 2x2 or 3x3, not of dim " + std::to_string(dim));
-  if (!energy.supports(dim))
-    throw Error("energy '" + energy.name() + "' does not exist in " + std::to_string(dim) + "D");
+  require_valid(energy, dim, batch);
   const ProjectionKernels& kernels = active_projection_kernels();
   Workspace work(dim);
-  const int packed = Workspace::packed_entries(dim);
+  PointChunk& chunk = work.chunk;
+  const int n = dim * dim, m = dim * (dim + 1);
   std::size_t filtered = 0;
-  for (std::size_t begin = 0; begin < batch.count; begin += work.chunk.stride) {
-    const std::size_t points = std::min(batch.count - begin, work.chunk.stride);
-    load_points(dim, batch, begin, points, work.chunk);
-    kernels.decompose[dim - 2](work.chunk);
-    energy.evaluate_derivatives(dim, work.chunk.stretch);
-    const ChunkOutputs out{batch.P ? work.P : nullptr, batch.H ? work.H : nullptr, work.changed.data()};
-    kernels.finish[dim - 2](work.chunk, filter, energy.coupled(), out);
+  for (std::size_t begin = 0; begin < batch.count; begin += chunk.stride) {
+    const std::size_t points = std::min(batch.count - begin, chunk.stride);
+    const bool full = points == chunk.stride;
+    chunk.count = chunk.stretch.count = padded_count(static_cast<int>(points));
+    // A full chunk is read and written in place, the last one through padded copies.
+    const auto input = [&](const double* data, int entries) {
+      return full ? (data ? data + begin : nullptr)
+                  : padded_copy(data, batch.stride, begin, points, entries, work);
+    };
+    const auto output = [&](double* data, int entries) {
+      return Output{data == nullptr ? nullptr : full ? data + begin : work.take(entries), entries};
+    };
+    const std::size_t stride = full ? batch.stride : chunk.stride;
+    const double* F = input(batch.F, n);
+    const double* gradients = input(batch.gradients, n);
+    const double* weights = input(batch.weights, 1);
+    const Output P = output(batch.P, n), H = output(batch.H, packed_entries(n)), G = output(batch.G, m),
+                 K = output(batch.K, packed_entries(m));
+    kernels.decompose[dim - 2](chunk, F, stride);
+    energy.evaluate_derivatives(dim, chunk.stretch);
+    kernels.finish[dim - 2](
+        chunk, filter, energy.coupled(),
+        {stride, P.data, H.data, G.data, K.data, gradients, weights, work.changed.data()});
     for (std::size_t i = 0; i < points; ++i) filtered += work.changed[i];
-    if (batch.psi)
-      copy_points(work.chunk.stretch.psi, work.chunk.stride, batch.psi + begin, batch.stride, 1, points);
-    if (batch.P) {
-      mark_infinite(work.chunk, work.P, dim * dim, points);
-      copy_points(work.P, work.chunk.stride, batch.P + begin, batch.stride, dim * dim, points);
-    }
-    if (batch.H) {
-      mark_infinite(work.chunk, work.H, packed, points);
-      copy_points(work.H, work.chunk.stride, batch.H + begin, batch.stride, packed, points);
-    }
+    const double* psi = chunk.stretch.psi;
+    if (batch.psi != nullptr) std::copy_n(psi, points, batch.psi + begin);
+    if (!std::all_of(psi, psi + points, [](double value) { return std::isfinite(value); }))
+      for (const Output& out : {P, H, G, K}) mark_infinite(psi, out, stride, points);
+    if (full) continue;
+    copy_back(P, stride, batch.P, batch.stride, begin, points);
+    copy_back(H, stride, batch.H, batch.stride, begin, points);
+    copy_back(G, stride, batch.G, batch.stride, begin, points);
+    copy_back(K, stride, batch.K, batch.stride, begin, points);
   }
   return filtered;
 }

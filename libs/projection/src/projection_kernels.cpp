@@ -7,8 +7,23 @@ namespace isostretch::projection::ISOSTRETCH_KERNELS {
 namespace {
 
 template <int Dim>
-void decompose_chunk(const PointChunk& chunk) {
-  for (int i = 0; i < chunk.count; i += lanes) decompose<Dim, true>(chunk, i);
+void decompose_chunk(const PointChunk& chunk, const double* F, std::size_t f_stride) {
+  for (int i = 0; i < chunk.count; i += wide_lanes)
+    decompose<Dim, true>(load_matrix<Dim, WidePack>(F, f_stride, i), chunk, i);
+}
+
+// Stores block (c, d), c <= d, of a symmetric matrix of Nodes x Nodes blocks into its packed upper triangle.
+template <int Dim, int Nodes>
+ISOSTRETCH_INLINE void store_block(double* packed, std::size_t stride, int i, int c, int d,
+                                   const Mat<Dim, Pack>& block) {
+  constexpr int n = Dim * Nodes;
+  for (int r = 0; r < Dim; ++r)
+    for (int s = 0; s < Dim; ++s) {
+      const int row = r + Dim * c, column = s + Dim * d;
+      if (row > column) continue;
+      const int e = row * n - row * (row - 1) / 2 + (column - row);
+      store(packed + static_cast<std::size_t>(e) * stride + i, block[r][s]);
+    }
 }
 
 // The Hessian over vec(F) is the block matrix of Dim nodes whose rest gradients are the unit vectors.
@@ -16,34 +31,88 @@ template <int Dim>
 ISOSTRETCH_INLINE void store_hessian(const BlockCoefficients<Dim, Pack>& coefficients,
                                      const Mat<Dim, Pack>& U, const Mat<Dim, Pack>& V, double* H,
                                      std::size_t stride, int i) {
-  constexpr int n = Dim * Dim;
   for (int c = 0; c < Dim; ++c)
-    for (int d = c; d < Dim; ++d) {
-      const Mat<Dim, Pack> block = coefficients.block(U, V.m[c], V.m[d]);
-      for (int r = 0; r < Dim; ++r)
-        for (int s = 0; s < Dim; ++s) {
-          const int row = r + Dim * c, column = s + Dim * d;
-          if (row > column) continue;
-          const int packed = row * n - row * (row - 1) / 2 + (column - row);
-          store(H + static_cast<std::size_t>(packed) * stride + i, block[r][s]);
-        }
-    }
+    for (int d = c; d < Dim; ++d)
+      store_block<Dim, Dim>(H, stride, i, c, d, coefficients.block(U, V.m[c], V.m[d]));
 }
 
 template <int Dim>
-void finish_chunk(const PointChunk& chunk, const FilterOptions& filter, bool coupled,
-                  const ChunkOutputs& out) {
+ISOSTRETCH_INLINE void load_gradient(const ChunkTask& task, int node, int i, Pack (&b)[Dim]) {
+  for (int c = 0; c < Dim; ++c)
+    b[c] = load<Pack>(task.gradients + static_cast<std::size_t>((node - 1) * Dim + c) * task.stride + i);
+}
+
+// Linear elements: Dim + 1 nodes, the first with minus the sum of the others' rest gradients.
+template <int Dim>
+ISOSTRETCH_INLINE void store_element_gradient(const Mat<Dim, Pack>& P, const ChunkTask& task, int i) {
+  const Pack weight = load<Pack>(task.weights + i);
+  Pack first[Dim];
+  for (int r = 0; r < Dim; ++r) first[r] = Pack(0.0);
+  for (int a = 1; a <= Dim; ++a) {
+    Pack b[Dim];
+    load_gradient<Dim>(task, a, i, b);
+    for (int r = 0; r < Dim; ++r) {
+      Pack sum = P[r][0] * b[0];
+      for (int c = 1; c < Dim; ++c) sum = fma(P[r][c], b[c], sum);
+      sum = weight * sum;
+      store(task.G + static_cast<std::size_t>(a * Dim + r) * task.stride + i, sum);
+      first[r] = first[r] - sum;
+    }
+  }
+  for (int r = 0; r < Dim; ++r) store(task.G + static_cast<std::size_t>(r) * task.stride + i, first[r]);
+}
+
+template <int Dim>
+ISOSTRETCH_INLINE void store_element_hessian(const BlockCoefficients<Dim, Pack>& coefficients,
+                                             const Mat<Dim, Pack>& U, const Mat<Dim, Pack>& V,
+                                             const ChunkTask& task, int i) {
+  Pack g[Dim + 1][Dim];
+  for (int a = 1; a <= Dim; ++a) {
+    Pack b[Dim];
+    load_gradient<Dim>(task, a, i, b);
+    rotate_gradient(V, b, g[a]);
+  }
+  Mat<Dim, Pack> with_first[Dim + 1];
+  for (int a = 0; a <= Dim; ++a)
+    for (int r = 0; r < Dim; ++r)
+      for (int s = 0; s < Dim; ++s) with_first[a][r][s] = Pack(0.0);
+  for (int a = 1; a <= Dim; ++a)
+    for (int b = a; b <= Dim; ++b) {
+      const Mat<Dim, Pack> K = coefficients.block(U, g[a], g[b]);
+      store_block<Dim, Dim + 1>(task.K, task.stride, i, a, b, K);
+      for (int r = 0; r < Dim; ++r)
+        for (int s = 0; s < Dim; ++s) {
+          with_first[b][r][s] = with_first[b][r][s] - K[r][s];
+          if (a != b) with_first[a][r][s] = with_first[a][r][s] - K[s][r];
+        }
+    }
+  for (int b = 1; b <= Dim; ++b) {
+    store_block<Dim, Dim + 1>(task.K, task.stride, i, 0, b, with_first[b]);
+    for (int r = 0; r < Dim; ++r)
+      for (int s = 0; s < Dim; ++s) with_first[0][r][s] = with_first[0][r][s] - with_first[b][r][s];
+  }
+  store_block<Dim, Dim + 1>(task.K, task.stride, i, 0, 0, with_first[0]);
+}
+
+template <int Dim>
+void finish_chunk(const PointChunk& chunk, const FilterOptions& filter, bool coupled, const ChunkTask& task) {
   for (int i = 0; i < chunk.count; i += lanes) {
     const Mat<Dim, Pack> U = load_matrix<Dim>(chunk.U, chunk.stride, i);
     const Mat<Dim, Pack> V = load_matrix<Dim>(chunk.V, chunk.stride, i);
     auto d = load_derivatives<Dim>(chunk.stretch, i);
-    if (out.P != nullptr) store_matrix<Dim>(out.P, chunk.stride, i, pk1(U, d.gradient, V));
-    const auto changed = apply_filter(filter, d, coupled);
+    if (task.P != nullptr || task.G != nullptr) {
+      const Mat<Dim, Pack> P = pk1(U, d.gradient, V);
+      if (task.P != nullptr) store_matrix<Dim>(task.P, task.stride, i, P);
+      if (task.G != nullptr) store_element_gradient<Dim>(P, task, i);
+    }
     double flags[lanes];
-    store(flags, select(changed, Pack(1.0), Pack(0.0)));
-    for (int k = 0; k < lanes; ++k) out.changed[i + k] = flags[k] != 0.0;
-    if (out.H != nullptr)
-      store_hessian<Dim>(BlockCoefficients<Dim, Pack>(d, Pack(1.0)), U, V, out.H, chunk.stride, i);
+    store(flags, select(apply_filter(filter, d, coupled), Pack(1.0), Pack(0.0)));
+    for (int k = 0; k < lanes; ++k) task.changed[i + k] = flags[k] != 0.0;
+    if (task.H != nullptr)
+      store_hessian<Dim>(BlockCoefficients<Dim, Pack>(d, Pack(1.0)), U, V, task.H, task.stride, i);
+    if (task.K != nullptr)
+      store_element_hessian<Dim>(BlockCoefficients<Dim, Pack>(d, load<Pack>(task.weights + i)), U, V, task,
+                                 i);
   }
 }
 

@@ -2,6 +2,7 @@
 
 // Kernel templates: the steps of the pipeline over a PointChunk, one pack at a time.
 
+#include <isostretch/core/pack_pair.hpp>
 #include <isostretch/projection/blocks.hpp>
 #include <isostretch/projection/eigenvalues.hpp>
 #include <isostretch/projection/point_chunk.hpp>
@@ -9,26 +10,26 @@
 namespace isostretch::projection {
 inline namespace ISOSTRETCH_ISA {
 
-template <int Dim>
-ISOSTRETCH_INLINE Mat<Dim, Pack> load_matrix(const double* data, std::size_t stride, int i) {
-  Mat<Dim, Pack> M;
+template <int Dim, class T = Pack>
+ISOSTRETCH_INLINE Mat<Dim, T> load_matrix(const double* data, std::size_t stride, int i) {
+  Mat<Dim, T> M;
   for (int c = 0; c < Dim; ++c)
     for (int r = 0; r < Dim; ++r)
-      M[r][c] = load<Pack>(data + static_cast<std::size_t>(r + Dim * c) * stride + i);
+      M[r][c] = load<T>(data + static_cast<std::size_t>(r + Dim * c) * stride + i);
   return M;
 }
 
-template <int Dim>
-ISOSTRETCH_INLINE void store_matrix(double* data, std::size_t stride, int i, const Mat<Dim, Pack>& M) {
+template <int Dim, class T>
+ISOSTRETCH_INLINE void store_matrix(double* data, std::size_t stride, int i, const Mat<Dim, T>& M) {
   for (int c = 0; c < Dim; ++c)
     for (int r = 0; r < Dim; ++r) store(data + static_cast<std::size_t>(r + Dim * c) * stride + i, M[r][c]);
 }
 
-// F -> U, sigma, V; with_vectors = false leaves U and V alone.
+// U, sigma, V of points i ... i + wide_lanes - 1 from their F; WithVectors = false leaves U and V alone.
 template <int Dim, bool WithVectors>
-ISOSTRETCH_INLINE void decompose(const PointChunk& chunk, int i) {
-  linalg::Svd<Dim, Pack> svd;
-  linalg::signed_svd<Dim, WithVectors>(load_matrix<Dim>(chunk.F, chunk.stride, i), svd);
+ISOSTRETCH_INLINE void decompose(const Mat<Dim, WidePack>& F, const PointChunk& chunk, int i) {
+  linalg::Svd<Dim, WidePack> svd;
+  linalg::signed_svd<Dim, WithVectors>(F, svd);
   for (int e = 0; e < Dim; ++e)
     store(chunk.sigma + static_cast<std::size_t>(e) * chunk.stride + i, svd.sigma[e]);
   if constexpr (WithVectors) {

@@ -53,7 +53,7 @@ ISOSTRETCH_INLINE Mask<T> surely_positive(const linalg::Mat<Dim, T>& A, double t
 // stays as it was bit for bit. `coupled`: whether A can have off-diagonal entries.
 template <Filter filter, int Dim, class T>
 ISOSTRETCH_INLINE Mask<T> apply_filter(invariants::StretchDerivatives<Dim, T>& d, double threshold,
-                                    double strength, bool coupled) {
+                                       double strength, bool coupled) {
   Mask<T> changed = T(0.0) > T(0.0);
   if constexpr (filter == Filter::none) return changed;
   const T floor(threshold);
@@ -94,8 +94,8 @@ ISOSTRETCH_INLINE Mask<T> apply_filter(invariants::StretchDerivatives<Dim, T>& d
 
 // The run-time choice, outside the arithmetic.
 template <int Dim, class T>
-ISOSTRETCH_INLINE Mask<T> apply_filter(const FilterOptions& options, invariants::StretchDerivatives<Dim, T>& d,
-                                    bool coupled) {
+ISOSTRETCH_INLINE Mask<T> apply_filter(const FilterOptions& options,
+                                       invariants::StretchDerivatives<Dim, T>& d, bool coupled) {
   if (options.filter == Filter::clamp)
     return apply_filter<Filter::clamp>(d, options.threshold, options.strength, coupled);
   if (options.filter == Filter::abs)

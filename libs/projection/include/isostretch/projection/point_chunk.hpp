@@ -14,10 +14,16 @@ inline constexpr int chunk_size(int dim) {
   return dim == 2 ? chunk_size_2d : chunk_size_3d;
 }
 
+// Counts are multiples of this: the widest kernel takes two AVX-512 packs at a time.
+inline constexpr int chunk_granularity = 16;
+inline constexpr int padded_count(int points) {
+  return (points + chunk_granularity - 1) / chunk_granularity * chunk_granularity;
+}
+
 // A chunk on its way through the pipeline: F -> U, sigma, V -> psi and its derivatives -> stress and Hessian
 // blocks. Structures of arrays, entry e of point i at data[e * stride + i], matrices column by column.
 struct PointChunk {
-  int count = 0;  // a multiple of 8; padding points hold F = I
+  int count = 0;  // padded_count() of the real points; padding points hold any deformation that is valid
   std::size_t stride = 0;
   double* F = nullptr;  // dim * dim
   double* U = nullptr;  // dim * dim
