@@ -32,7 +32,10 @@ void OutputFolder::make_folder() {
   std::reverse(made_.begin(), made_.end());
   if (fs::exists(folder_) && !fs::is_directory(folder_))
     throw Failure(ExitCode::output, folder_.string() + ": cannot write there: is not a folder");
-  fs::create_directories(folder_);
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error)
+    throw Failure(ExitCode::output, folder_.string() + ": cannot make the folder: " + error.message());
 }
 
 void OutputFolder::take_folders_away() noexcept {

@@ -89,7 +89,7 @@ void circle_flips(Canvas& canvas, const LayoutData& data, const Fit& fit) {
 
 std::string percent(double share) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+  std::snprintf(text, sizeof text, share < 0.095 ? "%.1f %%" : "%.0f %%", 100 * share);
   return text;
 }
 
