@@ -3,7 +3,7 @@
 # The flags stay private to the generated files, so no -march reaches a user's code. A kernel file may use only
 # templates that live in the inline namespace ISOSTRETCH_ISA (core/pack.hpp): everything else with external linkage,
 # Eigen and most of the standard library included, could be kept by the linker in its AVX-512 copy for everybody.
-# tools/check_kernel_symbols proves it on the object files.
+# tests/structure/check_kernel_symbols.py proves it on the object files.
 include(CheckCXXCompilerFlag)
 
 set(ISOSTRETCH_ISA_LEVELS base)
@@ -11,7 +11,6 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   check_cxx_compiler_flag(-march=x86-64-v4 ISOSTRETCH_COMPILER_KNOWS_LEVELS)
   if(ISOSTRETCH_COMPILER_KNOWS_LEVELS)
     list(APPEND ISOSTRETCH_ISA_LEVELS v2 v3 v4)
-    add_compile_definitions(ISOSTRETCH_HAS_ISA_LEVELS=1)
   endif()
 endif()
 
@@ -27,7 +26,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND _isostretch_kernel_flags -Wno-maybe-uninitialized -Wno-uninitialized)
 endif()
 
+# Compiles each of the files given at every level. Without files it only tells the library which levels there are.
 function(isostretch_add_kernels target)
+  if(v2 IN_LIST ISOSTRETCH_ISA_LEVELS)
+    target_compile_definitions(${target} PRIVATE ISOSTRETCH_HAS_ISA_LEVELS=1)
+  endif()
   foreach(file IN LISTS ARGN)
     get_filename_component(stem ${file} NAME_WE)
     foreach(level IN LISTS ISOSTRETCH_ISA_LEVELS)

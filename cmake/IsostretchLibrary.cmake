@@ -5,6 +5,8 @@ include(IsostretchWarnings)
 include(IsostretchKernels)
 
 set(ISOSTRETCH_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/isostretch)
+# Apps of a shared build find the libraries wherever both are moved together; libraries set their own below.
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 define_property(GLOBAL PROPERTY ISOSTRETCH_COMPONENTS BRIEF_DOCS "components in dependency order")
 define_property(GLOBAL PROPERTY ISOSTRETCH_FEATURES BRIEF_DOCS "lines of the configure summary")
 
@@ -37,10 +39,7 @@ function(isostretch_add_library name)
   endif()
   add_library(isostretch::${name} ALIAS ${target})
 
-  foreach(package IN LISTS A_PACKAGES)
-    separate_arguments(words UNIX_COMMAND "${package}")
-    find_package(${words} REQUIRED)
-  endforeach()
+  _isostretch_find_packages("${A_PACKAGES}" "${A_LINK};${A_LINK_PRIVATE}")
   list(TRANSFORM A_COMPONENTS PREPEND "isostretch::" OUTPUT_VARIABLE components)
   target_link_libraries(${target} ${scope} ${components} ${A_LINK})
   if(A_LINK_PRIVATE)
@@ -73,6 +72,23 @@ function(isostretch_add_library name)
   endif()
 endfunction()
 
+# A macro, for the callers' sake: what is found is seen by the whole library folder. A parent project that has made the
+# targets already (FetchContent) wins.
+macro(_isostretch_find_packages packages targets)
+  set(_isostretch_missing FALSE)
+  foreach(_isostretch_target ${targets})
+    if(_isostretch_target MATCHES "::" AND NOT TARGET ${_isostretch_target})
+      set(_isostretch_missing TRUE)
+    endif()
+  endforeach()
+  if(_isostretch_missing)
+    foreach(_isostretch_package ${packages})
+      separate_arguments(_isostretch_words UNIX_COMMAND "${_isostretch_package}")
+      find_package(${_isostretch_words} REQUIRED)
+    endforeach()
+  endif()
+endmacro()
+
 # Install rules of one component: its own EXPORT set, and a small file that finds just what it needs.
 function(_isostretch_install_component name components packages)
   if(NOT ISOSTRETCH_INSTALL)
@@ -88,7 +104,8 @@ function(_isostretch_install_component name components packages)
     FILE ${PROJECT_BINARY_DIR}/isostretch-${name}-targets.cmake)
   set(text "")
   foreach(component IN LISTS components)
-    string(APPEND text "_isostretch_load(${component})\n")
+    string(APPEND text "_isostretch_load(${component} ${name})\n"
+      "if(NOT isostretch_FOUND)\n  return()\nendif()\n")
   endforeach()
   foreach(package IN LISTS packages)
     string(APPEND text "find_dependency(${package})\n")
@@ -104,7 +121,8 @@ function(isostretch_finalize_package)
   endif()
   get_property(ISOSTRETCH_ALL_COMPONENTS GLOBAL PROPERTY ISOSTRETCH_COMPONENTS)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/isostretchConfig.cmake.in
-    ${PROJECT_BINARY_DIR}/isostretchConfig.cmake INSTALL_DESTINATION ${ISOSTRETCH_PACKAGE_DIR})
+    ${PROJECT_BINARY_DIR}/isostretchConfig.cmake INSTALL_DESTINATION ${ISOSTRETCH_PACKAGE_DIR}
+    NO_CHECK_REQUIRED_COMPONENTS_MACRO NO_SET_AND_CHECK_MACRO)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/isostretchConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
   # Part of every component's installation: whichever is installed alone must be findable.

@@ -1,0 +1,155 @@
+# One step of the consumer tests: cmake -DSTEP=... (and what CMakeLists.txt here passes) -P consumers.cmake
+cmake_minimum_required(VERSION 3.25)
+# Lists come and go with commas: semicolons do not survive a command line.
+set(work ${BUILD_TREE}/consumers)
+string(REPLACE "," ";" all_components "${ALL_COMPONENTS}")
+set(project ${SOURCE_TREE}/tests/consumers/project)
+
+# Stops the test with all that the command said when it fails; otherwise leaves that in `output`.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(code)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\nended with ${code}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+set(toolchain -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}" -DCMAKE_BUILD_TYPE=${BUILD_TYPE})
+
+# Configures the consumer project anew in ${work}/<folder>.
+macro(configure folder)
+  file(REMOVE_RECURSE ${work}/${folder})
+  run(${CMAKE_COMMAND} ${toolchain} -S ${project} -B ${work}/${folder} ${ARGN})
+endmacro()
+
+macro(build folder)
+  run(${CMAKE_COMMAND} --build ${work}/${folder} --parallel 2)
+endmacro()
+
+macro(run_programs folder)
+  foreach(component ${ARGN})
+    run(${CMAKE_COMMAND} -E chdir ${work}/${folder} ./use_${component})
+  endforeach()
+endmacro()
+
+function(expect_text text)
+  if(NOT output MATCHES "${text}")
+    message(FATAL_ERROR "expected '${text}' in:\n${output}")
+  endif()
+endfunction()
+
+# The configuration must fail, saying so. cmake wraps long lines, hence the spaces.
+function(expect_refusal text)
+  file(REMOVE_RECURSE ${work}/refused_${STEP})
+  execute_process(COMMAND ${CMAKE_COMMAND} ${toolchain} -S ${project} -B ${work}/refused_${STEP} -DBUILD=OFF ${ARGN}
+    RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT code)
+    message(FATAL_ERROR "accepted, but should have been refused with '${text}':\n${ARGN}\n${output}")
+  endif()
+  string(REGEX REPLACE "[ \n]+" " " output "${output}")
+  expect_text("${text}")
+endfunction()
+
+if(STEP STREQUAL "install")
+  # Installed to one place and moved to another before anybody looks: nothing may remember where it was.
+  file(REMOVE_RECURSE ${work}/staging ${work}/prefix)
+  run(${CMAKE_COMMAND} --install ${BUILD_TREE} --prefix ${work}/staging)
+  file(RENAME ${work}/staging ${work}/prefix)
+  file(GLOB package_files ${work}/prefix/${PACKAGE_DIR}/*.cmake)
+  if(NOT package_files)
+    message(FATAL_ERROR "no package files in ${work}/prefix/${PACKAGE_DIR}")
+  endif()
+  foreach(file IN LISTS package_files)
+    file(READ ${file} text)
+    foreach(path ${SOURCE_TREE} ${BUILD_TREE})
+      string(FIND "${text}" "${path}" position)
+      if(NOT position EQUAL -1)
+        message(FATAL_ERROR "${file} mentions ${path}")
+      endif()
+    endforeach()
+  endforeach()
+
+elseif(STEP STREQUAL "purity")
+  # One component, nothing else; packages that it has no use for are forbidden on top.
+  string(REPLACE "," ";" expected_packages "${PACKAGES}")
+  set(forbidden "")
+  foreach(package Eigen3 CHOLMOD OpenMP BLAS LAPACK spdlog CLI11 nlohmann_json doctest benchmark Threads)
+    if(NOT package IN_LIST expected_packages)
+      list(APPEND forbidden -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+    endif()
+  endforeach()
+  configure(purity_${COMPONENT} -DCMAKE_PREFIX_PATH=${work}/prefix -DBUILD=OFF -DCOMPONENTS=${COMPONENT} ${forbidden})
+  list(JOIN expected_packages " " packages)
+  expect_text("packages found: \\[${packages}\\]")
+
+  # Libraries: the component and what stands below it according to the rules.
+  set(todo ${COMPONENT})
+  set(expected "")
+  file(STRINGS ${SOURCE_TREE}/cmake/dependency_rules.txt rules REGEX "^[a-z_]+:")
+  while(todo)
+    list(POP_FRONT todo name)
+    if(NOT name IN_LIST expected)
+      list(APPEND expected ${name})
+      foreach(rule IN LISTS rules)
+        if(rule MATCHES "^${name}:([^|]*)")
+          separate_arguments(below UNIX_COMMAND "${CMAKE_MATCH_1}")
+          list(APPEND todo ${below})
+        endif()
+      endforeach()
+    endif()
+  endwhile()
+  list(SORT expected)
+  list(JOIN expected " " expected)
+  expect_text("libraries loaded: \\[${expected}\\]")
+  expect_text("module path left behind: \\[\\]")
+
+elseif(STEP STREQUAL "programs")
+  configure(programs -DCMAKE_PREFIX_PATH=${work}/prefix -DCOMPONENTS=${ALL_COMPONENTS})
+  build(programs)
+  run_programs(programs ${all_components})
+
+elseif(STEP STREQUAL "other_machine")
+  # The consumer's Eigen aligns to 32 or 64 bytes, the libraries' to 16: no memory may care.
+  configure(other_machine -DCMAKE_PREFIX_PATH=${work}/prefix -DCOMPONENTS=core,mesh,sparse,newton -DMARCH=native)
+  build(other_machine)
+  run_programs(other_machine core mesh sparse newton)
+
+elseif(STEP STREQUAL "build_tree")
+  configure(build_tree -Disostretch_DIR=${BUILD_TREE} -DCOMPONENTS=linalg,sparse)
+  expect_text("libraries loaded: \\[core linalg sparse\\]")
+  build(build_tree)
+  run_programs(build_tree linalg sparse)
+
+elseif(STEP STREQUAL "refusals")
+  set(prefix -DCMAKE_PREFIX_PATH=${work}/prefix)
+  list(JOIN all_components ", " names)
+  expect_refusal("isostretch has no component 'sdp'; it has: ${names}" ${prefix} -DCOMPONENTS=energies,sdp)
+  expect_refusal("compatible with requested version \"0.2\"" ${prefix} -DCOMPONENTS=core -DVERSION=0.2)
+  expect_refusal("compatible with requested version \"1.0\"" ${prefix} -DCOMPONENTS=core -DVERSION=1.0)
+  expect_refusal("Eigen3" ${prefix} -DCOMPONENTS=core -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON)
+  expect_refusal("OpenMP" ${prefix} -DCOMPONENTS=newton -DCMAKE_DISABLE_FIND_PACKAGE_OpenMP=ON)
+
+elseif(STEP STREQUAL "single_component")
+  # One component installed alone says what else it needs, and works once that is there.
+  file(REMOVE_RECURSE ${work}/single)
+  set(prefix -DCMAKE_PREFIX_PATH=${work}/single)
+  run(${CMAKE_COMMAND} --install ${BUILD_TREE} --prefix ${work}/single --component linalg)
+  expect_refusal("component 'linalg' of isostretch needs component 'core', which is not installed here.*installed: linalg"
+    ${prefix} -DCOMPONENTS=linalg)
+  expect_refusal("component 'sparse' of isostretch is not installed here.*installed: linalg" ${prefix} -DCOMPONENTS=sparse)
+  run(${CMAKE_COMMAND} --install ${BUILD_TREE} --prefix ${work}/single --component core)
+  configure(single_build ${prefix} -DCOMPONENTS=linalg)
+  build(single_build)
+  run_programs(single_build linalg)
+
+elseif(STEP STREQUAL "subproject")
+  # add_subdirectory (which is what FetchContent does), with shared libraries, then installed from there.
+  file(REMOVE_RECURSE ${work}/subproject)
+  run(${CMAKE_COMMAND} ${toolchain} -S ${project}/../subproject -B ${work}/subproject -DISOSTRETCH_SOURCE=${SOURCE_TREE}
+    -DBUILD_SHARED_LIBS=ON)
+  build(subproject)
+  run(${work}/subproject/use_linalg)
+else()
+  message(FATAL_ERROR "no step '${STEP}'")
+endif()

@@ -1,0 +1,54 @@
+// A curved cap flattened; the eight lines of the top-level README.
+#include "expect.hpp"
+
+#include <isostretch/energies/registry.hpp>
+#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/mesh/generators.hpp>
+#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh/orientation.hpp>
+#include <isostretch/mesh/tutte.hpp>
+#include <isostretch/newton/minimize.hpp>
+
+#include <cstdio>
+
+using namespace isostretch;
+
+static newton::Summary flatten(const char* file, mesh::Points2& uv) {
+  // clang-format off
+  // snippet: README
+  auto model = mesh::read_surface(file);                      // a topological disk, OBJ or OFF
+  auto start = mesh::tutte_embedding(model).uv;               // flip-free
+  auto rest = mesh::flat_elements(model);                     // rest shape of every triangle
+  mesh::scale_to_total_weight(rest, 1.0);
+  newton::Objective objective(2, rest.node_count);
+  objective.add<newton::EnergyTerm>(assembly::elements_from(rest), energies::make_energy("symmetric_dirichlet"));
+  Eigen::VectorXd x = Eigen::VectorXd::Map(start.data(), start.size());
+  auto summary = newton::minimize(objective, x);              // x: u and v, vertex by vertex
+  // end of snippet
+  // clang-format on
+
+  // The callback sees the positions, and may stop.
+  Eigen::VectorXd seen, y = x;
+  newton::Options options;
+  options.gradient_tolerance = 1e-12;
+  newton::minimize(objective, y, options, [&](const newton::Iteration&, const Eigen::VectorXd& positions) {
+    seen = 2.0 * positions - positions.reverse();
+    return newton::CallbackAction::stop;
+  });
+  EXPECT((seen - (2.0 * x - x.reverse())).norm() < 1e-6);
+
+  uv = Eigen::Map<const mesh::Points2>(x.data(), start.rows(), 2);
+  return summary;
+}
+
+int main() {
+  const auto cap = mesh::procedural_face(12);
+  const char* file = "cap.obj";
+  mesh::write_obj(file, cap);
+  mesh::Points2 uv;
+  const auto summary = flatten(file, uv);
+  std::remove(file);
+  EXPECT(summary.converged());
+  EXPECT(summary.energy < summary.initial_energy);
+  EXPECT(mesh::count_flipped(uv, cap.triangles) == 0);
+}

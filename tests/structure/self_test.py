@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""The checks of this folder notice what they are for."""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import check_dependencies
+import check_kernel_symbols
+import check_silence
+import libraries
+
+RULES = libraries.read_rules("""
+core:  | immintrin.h
+linalg: core   # comment
+energies: linalg
+""")
+
+
+class Folder(unittest.TestCase):
+    """A libs/ of its own, in a temporary directory."""
+
+    def setUp(self):
+        self.root = pathlib.Path(tempfile.mkdtemp())
+        self.old_root, libraries.ROOT = libraries.ROOT, self.root
+
+    def tearDown(self):
+        libraries.ROOT = self.old_root
+        shutil.rmtree(self.root)
+
+    def faults(self, name, cmake, **files):
+        folder = self.root / "libs" / name
+        for part in ("include", "src", "tests"):
+            (folder / part).mkdir(parents=True)
+            (folder / part / "x.cpp").write_text(files.get(part, ""))
+        (folder / "CMakeLists.txt").write_text(cmake)
+        return (check_dependencies.check_components(name, folder, RULES) +
+                check_dependencies.check_includes(name, folder, RULES))
+
+    def test_a_sound_library_passes(self):
+        self.assertEqual(self.faults(
+            "linalg", 'isostretch_add_library(linalg\n  COMPONENTS core\n  PACKAGES "X COMPONENTS CXX" "Y")\n',
+            include="#include <isostretch/core/error.hpp>\n#include <Eigen/Core>\n#include <vector>\n"), [])
+
+    def test_an_include_upwards_is_a_fault(self):
+        faults = self.faults("linalg", "isostretch_add_library(linalg COMPONENTS core)",
+                             include="#include <isostretch/core/error.hpp>\n",
+                             src="// x\n#include <isostretch/energies/registry.hpp>\n")
+        self.assertEqual(faults, ["libs/linalg/src/x.cpp:2: linalg may not include isostretch/energies/registry.hpp"])
+
+    def test_third_parties_are_stated_and_private(self):
+        self.assertIn("core may not include <omp.h>",
+                      self.faults("core", "isostretch_add_library(core)", src="#include <omp.h>\n")[0])
+
+    def test_components_must_be_the_rules(self):
+        faults = self.faults("energies", "isostretch_add_library(energies COMPONENTS linalg core)",
+                             include="#include <isostretch/linalg/svd.hpp>\n")
+        self.assertEqual(len(faults), 1)
+
+    def test_a_component_nobody_includes_is_a_fault(self):
+        self.assertEqual(len(self.faults("linalg", "isostretch_add_library(linalg COMPONENTS core)")), 1)
+
+    def test_tests_may_use_test_components_only(self):
+        cmake = "isostretch_add_library(core SOURCES a.cpp TEST_COMPONENTS linalg)"
+        self.assertEqual(self.faults("core", cmake, tests="#include <isostretch/linalg/svd.hpp>\n"), [])
+
+    def test_commented_includes_do_not_count(self):
+        self.assertEqual(self.faults("core", "isostretch_add_library(core)",
+                                     src="// #include <omp.h>\n/*\n#include <omp.h>\n*/\n"), [])
+
+
+class Silence(unittest.TestCase):
+    def test_prints_and_exits_are_noticed(self):
+        for line in ("std::cout << 1;", "printf(\"x\");", "std::fprintf(stderr, \"x\");", "exit(1);", "std::abort();",
+                     "assert(x);", "fputs(text, stdout);"):
+            self.assertEqual(len(check_silence.faults_in("int a;\n" + line)), 1, line)
+
+    def test_the_rest_is_not(self):
+        for line in ("std::snprintf(b, n, f);", "// printf(x)", 'text = "exit(1)";', "on_exit(x);", "fprintf(file_, f);",
+                     "solver.abort();", "static_assert(true);", "const int a = 1'000; // exit(1)"):
+            self.assertEqual(check_silence.faults_in(line), [], line)
+
+
+class KernelSymbols(unittest.TestCase):
+    def test_a_shared_inline_function_is_noticed(self):
+        compiler = shutil.which("c++") or self.skipTest("no compiler")
+        source = """
+            inline int leaked(int x) { return x + 1; }
+            namespace lib { inline namespace v4 { template <class T> T own(T x) { return x; } } }
+            namespace lib::kernels_v4 { extern const int table; const int table = 1;
+              int entry(int x) { return lib::own(leaked(x)); } }
+            static int hidden(int x) { return x; }
+            namespace lib::kernels_v4 { int other(int x) { return hidden(x); } }"""
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "k.v4.cpp.o"
+            subprocess.run([compiler, "-O0", "-c", "-x", "c++", "-", "-o", str(path)], input=source, text=True, check=True)
+            names = [name for _, name in check_kernel_symbols.demangled_symbols(path)
+                     if not check_kernel_symbols.belongs_to("v4", name)]
+        self.assertEqual(names, ["leaked(int)"])
+
+
+if __name__ == "__main__":
+    sys.exit(0 if unittest.main(exit=False, verbosity=1).result.wasSuccessful() else 1)
