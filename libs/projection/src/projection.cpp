@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -59,24 +60,36 @@ class Workspace {
   double* tail_;
 };
 
-// Points begin ... begin + points - 1 of a batch array, padded by repeating the last, in the tail.
-const double* padded_copy(const double* data, std::size_t stride, std::size_t begin, std::size_t points,
-                          int entries, Workspace& work) {
+// Where the entries of point `begin` start in an array of the batch; they are batch_stride() apart.
+template <class T>
+T* at(T* data, int entries, const HessianBatch& batch, std::size_t begin) {
+  if (data == nullptr) return nullptr;
+  if (batch.block == 0) return data + begin;
+  return data + begin / batch.block * static_cast<std::size_t>(entries) * batch.block + begin % batch.block;
+}
+
+std::size_t batch_stride(const HessianBatch& batch) {
+  return batch.block == 0 ? batch.stride : batch.block;
+}
+
+// The first points of an array, padded by repeating the last, in the tail.
+const double* padded_copy(const double* data, std::size_t stride, std::size_t points, int entries,
+                          Workspace& work) {
   if (data == nullptr) return nullptr;
   double* copy = work.take(entries);
   for (int e = 0; e < entries; ++e)
     for (std::size_t i = 0; i < static_cast<std::size_t>(work.chunk.count); ++i)
       copy[static_cast<std::size_t>(e) * work.chunk.stride + i] =
-          data[static_cast<std::size_t>(e) * stride + begin + std::min(i, points - 1)];
+          data[static_cast<std::size_t>(e) * stride + std::min(i, points - 1)];
   return copy;
 }
 
 void copy_back(const Output& from, std::size_t from_stride, double* to, std::size_t to_stride,
-               std::size_t begin, std::size_t points) {
+               std::size_t points) {
   if (to == nullptr) return;
   for (int e = 0; e < from.entries; ++e)
     std::copy_n(from.data + static_cast<std::size_t>(e) * from_stride, points,
-                to + static_cast<std::size_t>(e) * to_stride + begin);
+                to + static_cast<std::size_t>(e) * to_stride);
 }
 
 void mark_infinite(const double* psi, const Output& output, std::size_t stride, std::size_t points) {
@@ -87,12 +100,29 @@ void mark_infinite(const double* psi, const Output& output, std::size_t stride, 
         output.data[static_cast<std::size_t>(e) * stride + i] = std::numeric_limits<double>::quiet_NaN();
 }
 
+// Outputs that would throw everything else out of the caches, without being found there later themselves.
+constexpr std::size_t streaming_bytes = std::size_t{32} << 20;
+
+bool aligned(const double* data) {
+  return reinterpret_cast<std::uintptr_t>(data) % 64 == 0;
+}
+
+bool worth_streaming(int dim, const HessianBatch& batch) {
+  const int n = dim * dim, m = dim * (dim + 1);
+  const int entries = (batch.H ? packed_entries(n) : 0) + (batch.K ? packed_entries(m) : 0);
+  return batch.count * static_cast<std::size_t>(entries) * sizeof(double) >= streaming_bytes &&
+         aligned(batch.H) && aligned(batch.K) && batch_stride(batch) % 8 == 0;
+}
+
 void require_valid(const energies::AnyEnergy& energy, int dim, const HessianBatch& batch) {
   if (dim != 2 && dim != 3)
     throw Error("deformation gradients are 2x2 or 3x3, not of dim " + std::to_string(dim));
   if (!energy.supports(dim))
     throw Error("energy '" + energy.name() + "' does not exist in " + std::to_string(dim) + "D");
-  if (batch.stride < batch.count)
+  if (batch.block % chunk_size_2d != 0)
+    throw Error("blocks of " + std::to_string(batch.block) + " points are not a multiple of " +
+                std::to_string(chunk_size_2d));
+  if (batch.block == 0 && batch.stride < batch.count)
     throw Error("batch of " + std::to_string(batch.count) + " points has a stride of only " +
                 std::to_string(batch.stride));
   if ((batch.G != nullptr || batch.K != nullptr) && (batch.gradients == nullptr || batch.weights == nullptr))
@@ -108,6 +138,7 @@ std::size_t evaluate(const energies::AnyEnergy& energy, int dim, const FilterOpt
   Workspace work(dim);
   PointChunk& chunk = work.chunk;
   const int n = dim * dim, m = dim * (dim + 1);
+  const bool stream = worth_streaming(dim, batch);
   std::size_t filtered = 0;
   for (std::size_t begin = 0; begin < batch.count; begin += chunk.stride) {
     const std::size_t points = std::min(batch.count - begin, chunk.stride);
@@ -115,13 +146,14 @@ std::size_t evaluate(const energies::AnyEnergy& energy, int dim, const FilterOpt
     chunk.count = chunk.stretch.count = padded_count(static_cast<int>(points));
     // A full chunk is read and written in place, the last one through padded copies.
     const auto input = [&](const double* data, int entries) {
-      return full ? (data ? data + begin : nullptr)
-                  : padded_copy(data, batch.stride, begin, points, entries, work);
+      const double* here = at(data, entries, batch, begin);
+      return full ? here : padded_copy(here, batch_stride(batch), points, entries, work);
     };
     const auto output = [&](double* data, int entries) {
-      return Output{data == nullptr ? nullptr : full ? data + begin : work.take(entries), entries};
+      double* here = at(data, entries, batch, begin);
+      return Output{here == nullptr || full ? here : work.take(entries), entries};
     };
-    const std::size_t stride = full ? batch.stride : chunk.stride;
+    const std::size_t stride = full ? batch_stride(batch) : chunk.stride;
     const double* F = input(batch.F, n);
     const double* gradients = input(batch.gradients, n);
     const double* weights = input(batch.weights, 1);
@@ -131,17 +163,20 @@ std::size_t evaluate(const energies::AnyEnergy& energy, int dim, const FilterOpt
     energy.evaluate_derivatives(dim, chunk.stretch);
     kernels.finish[dim - 2](
         chunk, filter, energy.coupled(),
-        {stride, P.data, H.data, G.data, K.data, gradients, weights, work.changed.data()});
+        {stride, P.data, H.data, G.data, K.data, gradients, weights, full && stream, work.changed.data()});
     for (std::size_t i = 0; i < points; ++i) filtered += work.changed[i];
     const double* psi = chunk.stretch.psi;
     if (batch.psi != nullptr) std::copy_n(psi, points, batch.psi + begin);
     if (!std::all_of(psi, psi + points, [](double value) { return std::isfinite(value); }))
       for (const Output& out : {P, H, G, K}) mark_infinite(psi, out, stride, points);
     if (full) continue;
-    copy_back(P, stride, batch.P, batch.stride, begin, points);
-    copy_back(H, stride, batch.H, batch.stride, begin, points);
-    copy_back(G, stride, batch.G, batch.stride, begin, points);
-    copy_back(K, stride, batch.K, batch.stride, begin, points);
+    const auto back = [&](const Output& out, double* data) {
+      copy_back(out, stride, at(data, out.entries, batch, begin), batch_stride(batch), points);
+    };
+    back(P, batch.P);
+    back(H, batch.H);
+    back(G, batch.G);
+    back(K, batch.K);
   }
   return filtered;
 }

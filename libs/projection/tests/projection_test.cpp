@@ -217,6 +217,66 @@ TEST_CASE("batches of any size equal single points bit for bit") {
   }
 }
 
+TEST_CASE(
+    "element gradients and Hessians equal B^T P, B^T H B; blocked and strided batches agree bit for bit") {
+  std::mt19937 generator(37);
+  std::normal_distribution<double> normal;
+  const std::size_t count = 150, block = 64, padded = 192;
+  const auto strided = [&](std::size_t e, std::size_t i) { return e * count + i; };
+  const auto blocked = [&](std::size_t entries, std::size_t e, std::size_t i) {
+    return (i / block * entries + e) * block + i % block;
+  };
+  for (const char* name : {"arap", "stable_neo_hookean"}) {
+    const auto energy = energies::make_energy(name);
+    std::vector<double> F(9 * count), B(9 * count), w(count), P(9 * count), H(45 * count), G(12 * count),
+        K(78 * count);
+    std::vector<double> Fb(9 * padded), Bb(9 * padded), wb(padded), Gb(12 * padded), Kb(78 * padded);
+    for (std::size_t i = 0; i < count; ++i) {
+      wb[i] = w[i] = 0.5 + normal(generator) * normal(generator);
+      for (std::size_t e = 0; e < 9; ++e) {
+        Fb[blocked(9, e, i)] = F[strided(e, i)] = normal(generator);
+        Bb[blocked(9, e, i)] = B[strided(e, i)] = normal(generator);
+      }
+    }
+    projection::HessianBatch batch{F.data(), nullptr, P.data(), H.data(), count, count};
+    batch.gradients = B.data(), batch.weights = w.data(), batch.G = G.data(), batch.K = K.data();
+    projection::HessianBatch in_blocks{Fb.data()};
+    in_blocks.count = count, in_blocks.block = block;
+    in_blocks.gradients = Bb.data(), in_blocks.weights = wb.data(), in_blocks.G = Gb.data(),
+    in_blocks.K = Kb.data();
+    CHECK(projection::evaluate(energy, 3, {}, batch) == projection::evaluate(energy, 3, {}, in_blocks));
+    for (std::size_t i = 0; i < count; ++i) {
+      Eigen::Matrix<double, 9, 12> D = Eigen::Matrix<double, 9, 12>::Zero();
+      Eigen::Matrix<double, 9, 9> H9;
+      Eigen::Matrix<double, 9, 1> P9;
+      for (int c = 0, e = 0; c < 9; ++c) {
+        P9[c] = P[strided(static_cast<std::size_t>(c), i)];
+        for (int d = c; d < 9; ++d) H9(c, d) = H9(d, c) = H[strided(static_cast<std::size_t>(e++), i)];
+      }
+      for (int a = 1; a < 4; ++a)
+        for (int r = 0; r < 3; ++r)
+          for (int c = 0; c < 3; ++c) {
+            const double g = B[strided(static_cast<std::size_t>(3 * (a - 1) + c), i)];
+            D(r + 3 * c, 3 * a + r) = g;
+            D(r + 3 * c, r) -= g;
+          }
+      const Eigen::Matrix<double, 12, 12> expected = w[i] * D.transpose() * H9 * D;
+      const Eigen::Matrix<double, 12, 1> force = w[i] * D.transpose() * P9;
+      double worst = 0;
+      for (std::size_t c = 0, e = 0; c < 12; ++c) {
+        CHECK(std::abs(G[strided(c, i)] - force[static_cast<Eigen::Index>(c)]) <= 1e-13 * (1 + force.norm()));
+        CHECK(G[strided(c, i)] == Gb[blocked(12, c, i)]);
+        for (std::size_t d = c; d < 12; ++d, ++e) {
+          worst = std::max(worst, std::abs(K[strided(e, i)] - expected(static_cast<Eigen::Index>(c),
+                                                                       static_cast<Eigen::Index>(d))));
+          CHECK(K[strided(e, i)] == Kb[blocked(78, e, i)]);
+        }
+      }
+      CHECK(worst <= 1e-13 * (1 + expected.norm()));
+    }
+  }
+}
+
 TEST_CASE("wrong dimensions and unknown filters are refused by name") {
   const auto energy = energies::make_energy("mips_2d");
   CHECK_THROWS_WITH_AS(projection::evaluate<3>(energy, Eigen::Matrix3d::Identity()),

@@ -22,6 +22,10 @@ struct HessianBatch {
   double* H = nullptr;  // of the dim^2 x dim^2 Hessian over vec(F): 10 entries in 2D, 45 in 3D
   std::size_t count = 0;
   std::size_t stride = 0;
+  // Instead of one stride, blocks of that many points (a multiple of 64): entry e of point i of an array of n
+  // entries at data[(i / block * n + e) * block + i % block]. Large batches want it: 90 arrays a megabyte
+  // apart exhaust the TLB.
+  std::size_t block = 0;
 
   // Linear elements with one point each, nodes 0 ... dim: rest gradients of nodes 1 ... dim (node 0 has minus
   // their sum) and weights in; gradient and filtered Hessian of weight * psi over the element's (dim + 1) *
@@ -32,6 +36,9 @@ struct HessianBatch {
   double* K = nullptr;                // 21 entries in 2D, 78 in 3D
 };
 
+// Large batches (32 MiB of H and K and more) are written past the caches when H and K are aligned to 64
+// bytes, with a stride that is a multiple of 8 or in blocks: nearly twice as fast.
+//
 // Evaluates the batch on the calling thread and returns at how many points some eigenvalue was changed. Where
 // the energy is infinite, derivatives are NaN. Throws Error when the energy does not exist in this dimension.
 std::size_t evaluate(const energies::AnyEnergy& energy, int dim, const FilterOptions& filter,
