@@ -190,7 +190,7 @@ class Minimizer {
   }
 
   bool accept(Iteration& row, const LineSearchResult& search) {
-    const double before = summary_.energy;
+    const double before = summary_.energy, gradient_before = summary_.gradient_inf_norm;
     policy_.step_taken(search.step);
     filter_ = policy_.first();
     // Copied, never swapped: the memory of the caller's vector must not change hands between code compiled
@@ -208,6 +208,9 @@ class Minimizer {
     row.step = search.step;
     row.evaluations = search.evaluations;
     if (!record(row)) return false;
+    // Where energies are equal to rounding only the gradient can tell progress from a random walk.
+    if (search.at_roundoff && summary_.gradient_inf_norm > 0.5 * gradient_before)
+      return end(Status::converged_roundoff, "no step lowers energy or gradient beyond their rounding");
     if (options_.relative_energy_tolerance > 0 && search.step >= 1.0 &&
         before - at.value <= options_.relative_energy_tolerance * std::abs(at.value))
       return end(Status::converged_energy, "the energy changes less than relative_energy_tolerance");
