@@ -59,6 +59,7 @@ int fail(ExitCode code, const std::string& message) {
 }  // namespace
 
 int run_app(int argc, const char* const* argv, const AppDescription& description) noexcept {
+  wait_asleep(argv);
   try {
     try {
       return static_cast<int>(parse_and_run(argc, argv, description));

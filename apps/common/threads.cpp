@@ -1,11 +1,22 @@
 #include "common/threads.hpp"
 
+#include <cstdlib>
+
 #include <dlfcn.h>
+#include <unistd.h>
 #ifdef _OPENMP
 #include <omp.h>
 #endif
 
 namespace isostretch::app {
+
+void wait_asleep([[maybe_unused]] const char* const* argv) noexcept {
+#ifdef _OPENMP
+  if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv("GOMP_SPINCOUNT") != nullptr) return;
+  if (::setenv("OMP_WAIT_POLICY", "passive", 0) != 0) return;
+  ::execv("/proc/self/exe", const_cast<char* const*>(argv));  // where that fails, waiting is merely slower
+#endif
+}
 
 void set_threads([[maybe_unused]] int count) {
 #ifdef _OPENMP
