@@ -6,9 +6,9 @@
 
 namespace isostretch::energies {
 
-// Exponential AMIPS (Fu, Liu, Guo 2015): psi = exp(sharpness X), X = alpha conformal + (1 - alpha) (J + 1/J)/2, where
-// the conformal term is |F|^2 / (2 J) in 2D and mips_3d in 3D. Infinite at det F <= 0 and where the
-// exponential overflows; derivatives take the exponent as at most 700.
+// Exponential AMIPS (Fu, Liu, Guo 2015): psi = exp(sharpness X), X = alpha conformal + (1 - alpha) (J +
+// 1/J)/2, where the conformal term is |F|^2 / (2 J) in 2D and mips_3d in 3D. Infinite at det F <= 0 and where
+// the exponential overflows; derivatives take the exponent as at most 700.
 struct ExponentialAmips {
   static constexpr const char* name = "exponential_amips";
   static constexpr double minimum_determinant = 0.0;

@@ -5,8 +5,8 @@
 namespace isostretch::energies {
 
 // Locally injective mappings (Schueller et al. 2013): psi = mu/2 |F|^2 + weight w(J) with the C2 spline
-// barrier w = 1/g - 1, g = xi^3 - 3 xi^2 + 3 xi, xi = (J - epsilon)/width on 0 < xi < 1; zero beyond. Infinite at
-// det F <= epsilon.
+// barrier w = 1/g - 1, g = xi^3 - 3 xi^2 + 3 xi, xi = (J - epsilon)/width on 0 < xi < 1; zero beyond.
+// Infinite at det F <= epsilon.
 struct LimBarrier {
   static constexpr const char* name = "lim_barrier";
 
