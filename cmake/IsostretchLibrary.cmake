@@ -19,11 +19,12 @@ define_property(GLOBAL PROPERTY ISOSTRETCH_FEATURES BRIEF_DOCS "lines of the con
 #   LINK_PRIVATE OpenMP::...         third-party targets that no public header shows
 #   TESTS tests/t.cpp ...            one doctest program, labelled with the library's name
 #   TEST_COMPONENTS testing ...      further libraries that only the tests link
+#   TEST_PACKAGES "nlohmann_json"    find_package calls of the tests alone
 #   TEST_LINK nlohmann_json::...     third-party targets that only the tests link
 #   BENCHES bench/b.cpp ...)         one Google Benchmark program
 function(isostretch_add_library name)
   cmake_parse_arguments(A "" ""
-    "SOURCES;KERNELS;COMPONENTS;PACKAGES;LINK;LINK_PRIVATE;TESTS;TEST_COMPONENTS;TEST_LINK;BENCHES" ${ARGN})
+    "SOURCES;KERNELS;COMPONENTS;PACKAGES;LINK;LINK_PRIVATE;TESTS;TEST_COMPONENTS;TEST_PACKAGES;TEST_LINK;BENCHES" ${ARGN})
   if(A_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "isostretch_add_library(${name}): unknown arguments ${A_UNPARSED_ARGUMENTS}")
   endif()
@@ -56,6 +57,10 @@ function(isostretch_add_library name)
   _isostretch_install_component(${name} "${A_COMPONENTS}" "${A_PACKAGES}")
 
   if(ISOSTRETCH_BUILD_TESTS AND A_TESTS)
+    foreach(package IN LISTS A_TEST_PACKAGES)
+      separate_arguments(words UNIX_COMMAND "${package}")
+      find_package(${words} REQUIRED)
+    endforeach()
     list(TRANSFORM A_TEST_COMPONENTS PREPEND "isostretch_" OUTPUT_VARIABLE test_components)
     add_executable(${target}_tests ${A_TESTS})
     target_link_libraries(${target}_tests PRIVATE ${target} ${test_components} ${A_TEST_LINK}

@@ -1,6 +1,7 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/isa.hpp>
 #include <isostretch/energies/registry.hpp>
+#include <isostretch/projection/eigensystem.hpp>
 #include <isostretch/projection/projection.hpp>
 
 #include <doctest/doctest.h>
@@ -144,6 +145,26 @@ TEST_CASE("stress and Hessian agree with finite differences for every energy, di
     if (energy.supports(2)) check_derivatives<2>(energy);
     if (energy.supports(3)) check_derivatives<3>(energy);
   });
+}
+
+TEST_CASE("the eigensystem diagonalises the exact Hessian; singular energies are refused") {
+  for (const auto& name : energies::energy_names()) {
+    const auto energy = energies::make_energy(name);
+    if (!energy.supports(3)) continue;
+    CAPTURE(name);
+    for (const auto& F : deformations<3>(!energy.has_barrier())) {
+      const auto H = projection::evaluate<3>(energy, F, {Filter::none}).H;
+      if (!H.allFinite() || H.norm() > 1e11) continue;
+      const auto eigen = projection::eigensystem<3>(energy, F);
+      CHECK((eigen.vectors.transpose() * eigen.vectors - Hessian<3>::Identity()).norm() < 1e-14);
+      CHECK((eigen.vectors * eigen.values.asDiagonal() * eigen.vectors.transpose() - H).norm() <=
+            1e-13 * H.norm() + 1e-14);
+    }
+  }
+  Eigen::Matrix2d mirrored;
+  mirrored << 1, 0, 0, -1;
+  CHECK_THROWS_WITH_AS(projection::eigensystem<2>(energies::make_energy("mips_2d"), mirrored),
+                       doctest::Contains("not finite"), Error);
 }
 
 TEST_CASE("a Hessian that is positive semi-definite passes every filter bit for bit") {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/core/error.hpp>
 #include <isostretch/core/isa.hpp>
 #include <isostretch/energies/evaluate.hpp>
 
@@ -23,7 +24,7 @@ const std::array<EnergyFunctions, isa_count>* builtin_functions(std::string_view
 // Any energy behind one type: cheap to copy, safe to share between threads, one indirect call per chunk.
 //
 // Built-in energies run at the active instruction-set level. A user's own energy runs as it was compiled
-// where the AnyEnergy is made: give that source file -march=... or ISOSTRETCH's kernel rules for full speed.
+// where the AnyEnergy is made: give that source file -march=... for full speed.
 class AnyEnergy {
  public:
   template <class Energy>
@@ -77,4 +78,31 @@ AnyEnergy::AnyEnergy(Energy energy)
   object_ = std::make_shared<const Energy>(std::move(energy));
 }
 
+inline namespace ISOSTRETCH_ISA {
+
+// Everything at one stretch. Throws Error where the energy does not exist in this dimension or is infinite.
+template <int Dim>
+StretchDerivatives<Dim, double> derivatives_at(const AnyEnergy& energy, const Stretch<Dim, double>& s) {
+  if (!energy.supports(Dim))
+    throw Error("energy '" + energy.name() + "' does not exist in " + std::to_string(Dim) + "D");
+  constexpr int points = 8, pairs = invariants::pair_count<Dim>;  // the least that every kernel takes
+  double sigma[Dim * points], psi[points], gradient[Dim * points], twist[pairs * points],
+      flip[pairs * points], diagonal[Dim * points], coupling[pairs * points];
+  for (int e = 0; e < Dim; ++e)
+    for (int i = 0; i < points; ++i) sigma[e * points + i] = s.sigma[e];
+  energy.evaluate_derivatives(Dim, {points, points, sigma, psi, gradient, twist, flip, diagonal, coupling});
+  if (!(psi[0] < __builtin_inf()))
+    throw Error("energy '" + energy.name() + "' is not finite at this stretch");
+  StretchDerivatives<Dim, double> d;
+  d.psi = psi[0];
+  for (int e = 0; e < Dim; ++e) d.gradient[e] = gradient[e * points], d.diagonal[e] = diagonal[e * points];
+  for (int e = 0; e < pairs; ++e) {
+    d.twist[e] = twist[e * points];
+    d.flip[e] = flip[e * points];
+    d.coupling[e] = coupling[e * points];
+  }
+  return d;
+}
+
+}  // namespace ISOSTRETCH_ISA
 }  // namespace isostretch::energies
