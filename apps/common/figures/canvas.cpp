@@ -8,6 +8,20 @@
 #include <cstring>
 #include <numbers>
 
+#ifdef __SANITIZE_ADDRESS__
+// Fontconfig keeps its tables of fonts until the end and never frees them; nobody needs to hear of it.
+extern "C" {
+const char* __lsan_default_suppressions();  // NOLINT: the sanitizer's names
+const char* __lsan_default_options();       // NOLINT
+const char* __lsan_default_suppressions() {
+  return "leak:libfontconfig\n";
+}
+const char* __lsan_default_options() {
+  return "print_suppressions=0";
+}
+}
+#endif
+
 namespace isostretch::app::figures {
 namespace {
 
