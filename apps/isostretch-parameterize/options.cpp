@@ -78,6 +78,11 @@ void CommandLine::declare_solve(CLI::App& cli) {
       ->check(whole_number_between(0, 1'000'000'000))
       ->type_name("N")
       ->capture_default_str();
+  cli.add_option("--max-expansion", max_expansion_,
+                 "Lengthen steps that gain more than promised up to this; 1: never")
+      ->check(CLI::Range(1.0, 1e6))
+      ->type_name("X")
+      ->capture_default_str();
   cli.add_option("--time-limit", time_limit_, "Stop after so many seconds; 0: no limit")
       ->check(not_negative())
       ->type_name("SECONDS");
@@ -122,6 +127,7 @@ Options CommandLine::options() const {
     options.newton = solve_options(projection_, gradient_tolerance_, solver_, ordering_);
     options.newton.max_iterations = max_iterations_;
     options.newton.time_limit = time_limit_;
+    options.newton.max_expansion = max_expansion_;
     if (options.out.empty()) throw Error("--out: the name of the folder is empty");
     return options;
   });

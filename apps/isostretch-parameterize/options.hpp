@@ -62,6 +62,7 @@ class CommandLine {
   std::vector<std::string> parameters_, pins_, soft_pins_;
   std::optional<double> gradient_tolerance_;
   double time_limit_ = 0;
+  double max_expansion_ = newton::Options().max_expansion;
   int max_iterations_ = newton::Options{}.max_iterations;
   bool triangulate_ = false, no_cut_ = false, keep_normalized_ = false, no_picture_ = false;
 };

@@ -39,6 +39,7 @@ Json options_json(const Options& options) {
           {"scaled_gradient_tolerance", solve.scaled_gradient_tolerance},
           {"max_iterations", solve.max_iterations},
           {"time_limit", solve.time_limit},
+          {"max_expansion", solve.max_expansion},
           {"solver", sparse::backend_name(solve.solver.backend)},
           {"ordering", sparse::ordering_name(solve.solver.ordering)},
           {"keep_normalized", options.keep_normalized},

@@ -64,8 +64,9 @@ std::string Summary::brief_report() const {
 std::string Summary::full_report() const {
   std::string text = brief_report() + "\n" + message + "\n";
   text += format("energy           %.12g -> %.12g\n", initial_energy, energy);
-  text += format("factorizations   %d, %d not positive definite; %s, %.3g nonzeros\n", factorizations,
-                 failed_factorizations, solver.c_str(), factor_nonzeros);
+  text +=
+      format("factorizations   %d, %d not positive definite; %s, %.3g nonzeros\n", factorizations,
+             failed_factorizations, solver.empty() ? "no solver needed" : solver.c_str(), factor_nonzeros);
   text += format("energy evaluations by the line search: %d\n", energy_evaluations);
   text += format(
       "seconds          total %.4f: setup %.4f, assembly %.4f, factorization %.4f, solve %.4f, line search "
