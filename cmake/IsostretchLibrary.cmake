@@ -34,6 +34,11 @@ function(isostretch_add_library name)
     add_library(${target} ${A_SOURCES})
     isostretch_enable_warnings(${target})
     isostretch_add_kernels(${target} ${A_KERNELS})
+    # A shared library calls its own copies of Eigen's inline functions, not those of a program that may have been
+    # compiled with another -march and allocates differently.
+    if(BUILD_SHARED_LIBS AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
+      target_link_options(${target} PRIVATE LINKER:-Bsymbolic-functions)
+    endif()
   else()
     set(scope INTERFACE)
     add_library(${target} INTERFACE)
