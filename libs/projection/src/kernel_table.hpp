@@ -17,7 +17,6 @@ struct ChunkTask {
   double* K;                // packed element Hessian
   const double* gradients;  // (nodes - 1) * dim rest gradients, when G or K is given
   const double* weights;    // of the points, when G or K is given
-  bool stream;              // write H and K past the caches; they and the stride are aligned to 64 bytes
   unsigned char* changed;   // per point: 1 where some eigenvalue was changed
 };
 

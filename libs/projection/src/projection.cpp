@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <vector>
@@ -100,20 +99,6 @@ void mark_infinite(const double* psi, const Output& output, std::size_t stride, 
         output.data[static_cast<std::size_t>(e) * stride + i] = std::numeric_limits<double>::quiet_NaN();
 }
 
-// Outputs that would throw everything else out of the caches, without being found there later themselves.
-constexpr std::size_t streaming_bytes = std::size_t{32} << 20;
-
-bool aligned(const double* data) {
-  return reinterpret_cast<std::uintptr_t>(data) % 64 == 0;
-}
-
-bool worth_streaming(int dim, const HessianBatch& batch) {
-  const int n = dim * dim, m = dim * (dim + 1);
-  const int entries = (batch.H ? packed_entries(n) : 0) + (batch.K ? packed_entries(m) : 0);
-  return batch.count * static_cast<std::size_t>(entries) * sizeof(double) >= streaming_bytes &&
-         aligned(batch.H) && aligned(batch.K) && batch_stride(batch) % 8 == 0;
-}
-
 void require_valid(const energies::AnyEnergy& energy, int dim, const HessianBatch& batch) {
   if (dim != 2 && dim != 3)
     throw Error("deformation gradients are 2x2 or 3x3, not of dim " + std::to_string(dim));
@@ -138,7 +123,6 @@ std::size_t evaluate(const energies::AnyEnergy& energy, int dim, const FilterOpt
   Workspace work(dim);
   PointChunk& chunk = work.chunk;
   const int n = dim * dim, m = dim * (dim + 1);
-  const bool stream = worth_streaming(dim, batch);
   std::size_t filtered = 0;
   for (std::size_t begin = 0; begin < batch.count; begin += chunk.stride) {
     const std::size_t points = std::min(batch.count - begin, chunk.stride);
@@ -163,7 +147,7 @@ std::size_t evaluate(const energies::AnyEnergy& energy, int dim, const FilterOpt
     energy.evaluate_derivatives(dim, chunk.stretch);
     kernels.finish[dim - 2](
         chunk, filter, energy.coupled(),
-        {stride, P.data, H.data, G.data, K.data, gradients, weights, full && stream, work.changed.data()});
+        {stride, P.data, H.data, G.data, K.data, gradients, weights, work.changed.data()});
     for (std::size_t i = 0; i < points; ++i) filtered += work.changed[i];
     const double* psi = chunk.stretch.psi;
     if (batch.psi != nullptr) std::copy_n(psi, points, batch.psi + begin);

@@ -13,7 +13,7 @@ void decompose_chunk(const PointChunk& chunk, const double* F, std::size_t f_str
 }
 
 // Stores block (c, d), c <= d, of a symmetric matrix of Nodes x Nodes blocks into its packed upper triangle.
-template <int Dim, int Nodes, bool Stream>
+template <int Dim, int Nodes>
 ISOSTRETCH_INLINE void store_block(double* packed, std::size_t stride, int i, int c, int d,
                                    const Mat<Dim, Pack>& block) {
   constexpr int n = Dim * Nodes;
@@ -22,22 +22,18 @@ ISOSTRETCH_INLINE void store_block(double* packed, std::size_t stride, int i, in
       const int row = r + Dim * c, column = s + Dim * d;
       if (row > column) continue;
       const int e = row * n - row * (row - 1) / 2 + (column - row);
-      double* p = packed + static_cast<std::size_t>(e) * stride + i;
-      if constexpr (Stream)
-        stream(p, block[r][s]);
-      else
-        store(p, block[r][s]);
+      store(packed + static_cast<std::size_t>(e) * stride + i, block[r][s]);
     }
 }
 
 // The Hessian over vec(F) is the block matrix of Dim nodes whose rest gradients are the unit vectors.
-template <int Dim, bool Stream>
+template <int Dim>
 ISOSTRETCH_INLINE void store_hessian(const BlockCoefficients<Dim, Pack>& coefficients,
                                      const Mat<Dim, Pack>& U, const Mat<Dim, Pack>& V, double* H,
                                      std::size_t stride, int i) {
   for (int c = 0; c < Dim; ++c)
     for (int d = c; d < Dim; ++d)
-      store_block<Dim, Dim, Stream>(H, stride, i, c, d, coefficients.block(U, V.m[c], V.m[d]));
+      store_block<Dim, Dim>(H, stride, i, c, d, coefficients.block(U, V.m[c], V.m[d]));
 }
 
 template <int Dim>
@@ -66,7 +62,7 @@ ISOSTRETCH_INLINE void store_element_gradient(const Mat<Dim, Pack>& P, const Chu
   for (int r = 0; r < Dim; ++r) store(task.G + static_cast<std::size_t>(r) * task.stride + i, first[r]);
 }
 
-template <int Dim, bool Stream>
+template <int Dim>
 ISOSTRETCH_INLINE void store_element_hessian(const BlockCoefficients<Dim, Pack>& coefficients,
                                              const Mat<Dim, Pack>& U, const Mat<Dim, Pack>& V,
                                              const ChunkTask& task, int i) {
@@ -83,7 +79,7 @@ ISOSTRETCH_INLINE void store_element_hessian(const BlockCoefficients<Dim, Pack>&
   for (int a = 1; a <= Dim; ++a)
     for (int b = a; b <= Dim; ++b) {
       const Mat<Dim, Pack> K = coefficients.block(U, g[a], g[b]);
-      store_block<Dim, Dim + 1, Stream>(task.K, task.stride, i, a, b, K);
+      store_block<Dim, Dim + 1>(task.K, task.stride, i, a, b, K);
       for (int r = 0; r < Dim; ++r)
         for (int s = 0; s < Dim; ++s) {
           with_first[b][r][s] = with_first[b][r][s] - K[r][s];
@@ -91,16 +87,15 @@ ISOSTRETCH_INLINE void store_element_hessian(const BlockCoefficients<Dim, Pack>&
         }
     }
   for (int b = 1; b <= Dim; ++b) {
-    store_block<Dim, Dim + 1, Stream>(task.K, task.stride, i, 0, b, with_first[b]);
+    store_block<Dim, Dim + 1>(task.K, task.stride, i, 0, b, with_first[b]);
     for (int r = 0; r < Dim; ++r)
       for (int s = 0; s < Dim; ++s) with_first[0][r][s] = with_first[0][r][s] - with_first[b][r][s];
   }
-  store_block<Dim, Dim + 1, Stream>(task.K, task.stride, i, 0, 0, with_first[0]);
+  store_block<Dim, Dim + 1>(task.K, task.stride, i, 0, 0, with_first[0]);
 }
 
-template <int Dim, bool Stream>
-ISOSTRETCH_INLINE void finish_packs(const PointChunk& chunk, const FilterOptions& filter, bool coupled,
-                                    const ChunkTask& task) {
+template <int Dim>
+void finish_chunk(const PointChunk& chunk, const FilterOptions& filter, bool coupled, const ChunkTask& task) {
   for (int i = 0; i < chunk.count; i += lanes) {
     const Mat<Dim, Pack> U = load_matrix<Dim>(chunk.U, chunk.stride, i);
     const Mat<Dim, Pack> V = load_matrix<Dim>(chunk.V, chunk.stride, i);
@@ -114,20 +109,10 @@ ISOSTRETCH_INLINE void finish_packs(const PointChunk& chunk, const FilterOptions
     store(flags, select(apply_filter(filter, d, coupled), Pack(1.0), Pack(0.0)));
     for (int k = 0; k < lanes; ++k) task.changed[i + k] = flags[k] != 0.0;
     if (task.H != nullptr)
-      store_hessian<Dim, Stream>(BlockCoefficients<Dim, Pack>(d, Pack(1.0)), U, V, task.H, task.stride, i);
+      store_hessian<Dim>(BlockCoefficients<Dim, Pack>(d, Pack(1.0)), U, V, task.H, task.stride, i);
     if (task.K != nullptr)
-      store_element_hessian<Dim, Stream>(BlockCoefficients<Dim, Pack>(d, load<Pack>(task.weights + i)), U, V,
-                                         task, i);
-  }
-}
-
-template <int Dim>
-void finish_chunk(const PointChunk& chunk, const FilterOptions& filter, bool coupled, const ChunkTask& task) {
-  if (task.stream) {
-    finish_packs<Dim, true>(chunk, filter, coupled, task);
-    stream_fence();
-  } else {
-    finish_packs<Dim, false>(chunk, filter, coupled, task);
+      store_element_hessian<Dim>(BlockCoefficients<Dim, Pack>(d, load<Pack>(task.weights + i)), U, V, task,
+                                 i);
   }
 }
 

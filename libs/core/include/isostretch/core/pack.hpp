@@ -13,8 +13,7 @@
 //   inline namespace ISOSTRETCH_ISA { template <class T> ... }
 //   }
 //
-// Native intrinsics were chosen over xsimd 8.1 and std::experimental::simd after measuring:
-// docs/benchmarks/simd.md.
+// Native intrinsics rather than xsimd 8.1, which is as fast: docs/benchmarks/simd.md says why.
 
 #include <cmath>
 #include <cstring>
@@ -98,16 +97,6 @@ ISOSTRETCH_INLINE double load(const double* p, double) {
 }
 ISOSTRETCH_INLINE void store(double* p, double a) {
   *p = a;
-}
-// Past the caches, for arrays that are much larger and not read again soon; p is aligned to the size of the
-// pack. stream_fence() before anybody reads them.
-ISOSTRETCH_INLINE void stream(double* p, double a) {
-  *p = a;
-}
-ISOSTRETCH_INLINE void stream_fence() {
-#if ISOSTRETCH_LANES > 1
-  _mm_sfence();
-#endif
 }
 
 #if defined(__FMA__) || defined(__FP_FAST_FMA)
@@ -244,9 +233,6 @@ ISOSTRETCH_INLINE Pack load(const double* p, Pack) {
 ISOSTRETCH_INLINE void store(double* p, Pack a) {
   _mm512_storeu_pd(p, a.v);
 }
-ISOSTRETCH_INLINE void stream(double* p, Pack a) {
-  _mm512_stream_pd(p, a.v);
-}
 ISOSTRETCH_INLINE Pack bit_and(Pack a, Pack b) {
   return _mm512_and_pd(a.v, b.v);
 }
@@ -306,9 +292,6 @@ ISOSTRETCH_INLINE Pack load(const double* p, Pack) {
 ISOSTRETCH_INLINE void store(double* p, Pack a) {
   _mm256_storeu_pd(p, a.v);
 }
-ISOSTRETCH_INLINE void stream(double* p, Pack a) {
-  _mm256_stream_pd(p, a.v);
-}
 ISOSTRETCH_INLINE Pack bit_and(Pack a, Pack b) {
   return _mm256_and_pd(a.v, b.v);
 }
@@ -367,9 +350,6 @@ ISOSTRETCH_INLINE Pack load(const double* p, Pack) {
 }
 ISOSTRETCH_INLINE void store(double* p, Pack a) {
   _mm_storeu_pd(p, a.v);
-}
-ISOSTRETCH_INLINE void stream(double* p, Pack a) {
-  _mm_stream_pd(p, a.v);
 }
 ISOSTRETCH_INLINE Pack bit_and(Pack a, Pack b) {
   return _mm_and_pd(a.v, b.v);

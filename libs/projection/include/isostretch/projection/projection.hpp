@@ -36,9 +36,6 @@ struct HessianBatch {
   double* K = nullptr;                // 21 entries in 2D, 78 in 3D
 };
 
-// Large batches (32 MiB of H and K and more) are written past the caches when H and K are aligned to 64
-// bytes, with a stride that is a multiple of 8 or in blocks: nearly twice as fast.
-//
 // Evaluates the batch on the calling thread and returns at how many points some eigenvalue was changed. Where
 // the energy is infinite, derivatives are NaN. Throws Error when the energy does not exist in this dimension.
 std::size_t evaluate(const energies::AnyEnergy& energy, int dim, const FilterOptions& filter,
