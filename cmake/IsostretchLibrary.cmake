@@ -71,6 +71,9 @@ function(isostretch_add_library name)
     target_link_libraries(${target}_tests PRIVATE ${target} ${test_components} ${A_TEST_LINK}
       isostretch_test_support)
     isostretch_enable_warnings(${target}_tests)
+    if(ISOSTRETCH_SANITIZE)
+      target_compile_options(${target}_tests PRIVATE -O0)  # instrumented templates take minutes to optimise
+    endif()
     add_test(NAME ${name} COMMAND ${target}_tests)
     # A program into which no test was linked must not pass.
     set_tests_properties(${name} PROPERTIES LABELS ${name} FAIL_REGULAR_EXPRESSION "test cases: +0 ")
