@@ -77,49 +77,19 @@ ISOSTRETCH_INLINE void add_hessian(const ElementChunk& chunk,
     for (int c = 0; c < Dim; ++c) b[c] = entry(chunk.gradients, chunk.stride, a * Dim + c, i);
     projection::rotate_gradient(V, b, g[a]);
   }
-  // Row sums vanish: the blocks of node 0 are minus sums of the others'.
-  Mat<Dim, Pack> with_first[Nodes];
-  for (int a = 0; a < Nodes; ++a)
+  projection::for_each_block(coefficients, U, g, [&](int a, int b, const Mat<Dim, Pack>& K) {
     for (int r = 0; r < Dim; ++r)
-      for (int s = 0; s < Dim; ++s) with_first[a][r][s] = Pack(0.0);
-  for (int a = 1; a < Nodes; ++a)
-    for (int b = a; b < Nodes; ++b) {
-      const Mat<Dim, Pack> K = coefficients.block(U, g[a], g[b]);
-      for (int r = 0; r < Dim; ++r)
-        for (int s = 0; s < Dim; ++s) {
-          add_entry(H, chunk.stride, block_index<Nodes>(a, b) * Dim * Dim + r * Dim + s, i, K[r][s]);
-          with_first[b][r][s] = with_first[b][r][s] - K[r][s];
-          if (a != b) with_first[a][r][s] = with_first[a][r][s] - K[s][r];
-        }
-    }
-  for (int b = 1; b < Nodes; ++b)
-    for (int r = 0; r < Dim; ++r)
-      for (int s = 0; s < Dim; ++s) {
-        add_entry(H, chunk.stride, b * Dim * Dim + r * Dim + s, i, with_first[b][r][s]);
-        with_first[0][r][s] = with_first[0][r][s] - with_first[b][r][s];
-      }
-  for (int r = 0; r < Dim; ++r)
-    for (int s = 0; s < Dim; ++s)
-      add_entry(H, chunk.stride, r * Dim + s, i,
-                r <= s ? with_first[0][r][s] : with_first[0][s][r]);  // symmetric to the last bit
+      for (int s = 0; s < Dim; ++s)
+        add_entry(H, chunk.stride, block_index<Nodes>(a, b) * Dim * Dim + r * Dim + s, i, K[r][s]);
+  });
 }
 
 template <int Dim, int Nodes>
 ISOSTRETCH_INLINE void add_gradient(const ElementChunk& chunk, const Mat<Dim, Pack>& P, Pack weight,
                                     double* G, int i) {
-  Pack first[Dim];
-  for (int r = 0; r < Dim; ++r) first[r] = Pack(0.0);
-  for (int a = 1; a < Nodes; ++a) {
-    Pack b[Dim];
-    for (int c = 0; c < Dim; ++c) b[c] = weight * entry(chunk.gradients, chunk.stride, a * Dim + c, i);
-    for (int r = 0; r < Dim; ++r) {
-      Pack sum = P[r][0] * b[0];
-      for (int c = 1; c < Dim; ++c) sum = fma(P[r][c], b[c], sum);
-      add_entry(G, chunk.stride, a * Dim + r, i, sum);
-      first[r] = first[r] - sum;
-    }
-  }
-  for (int r = 0; r < Dim; ++r) add_entry(G, chunk.stride, r, i, first[r]);
+  projection::for_each_force<Dim, Nodes>(
+      P, weight, [&](int a, int c) { return entry(chunk.gradients, chunk.stride, a * Dim + c, i); },
+      [&](int a, int r, Pack value) { add_entry(G, chunk.stride, a * Dim + r, i, value); });
 }
 
 template <int Dim, int Nodes>

@@ -1,6 +1,5 @@
 #include <isostretch/assembly/energy_assembler.hpp>
 #include <isostretch/core/error.hpp>
-#include <isostretch/core/isa.hpp>
 #include <isostretch/energies/registry.hpp>
 #include <isostretch/mesh/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
@@ -15,9 +14,12 @@
 #include <random>
 #include <vector>
 
+#include "every_level.hpp"
+
 using namespace isostretch;
 using assembly::Elements;
 using assembly::EnergyAssembler;
+using tests::at_every_level;
 
 namespace {
 
@@ -126,17 +128,6 @@ void check_against_reference(const Elements& elements, const Eigen::VectorXd& x)
       CHECK((ours.hessian - expected.hessian).norm() <= 1e-12 * (1 + expected.hessian.norm()));
     }
   }
-}
-
-template <class Check>
-void at_every_level(Check check) {
-  const Isa before = active_isa();
-  for (const Isa isa : available_isas()) {
-    CAPTURE(isa_name(isa));
-    set_isa(isa);
-    check();
-  }
-  set_isa(before);
 }
 
 }  // namespace

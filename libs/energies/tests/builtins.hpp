@@ -8,6 +8,8 @@
 
 #include "builtin_includes.inc"
 
+#include "every_level.hpp"
+
 namespace isostretch::energies::tests {
 
 // visit(energy) for each built-in energy with its default parameters.
@@ -95,15 +97,6 @@ class PointChunk {
   Entries sigma_{}, psi_{}, gradient_{}, twist_{}, flip_{}, diagonal_{}, coupling_{};
 };
 
-// check() at every instruction-set level this machine has.
-template <class Check>
-void at_every_level(Check check) {
-  const Isa before = active_isa();
-  for (const Isa isa : available_isas()) {
-    set_isa(isa);
-    check(isa);
-  }
-  set_isa(before);
-}
+using isostretch::tests::at_every_level;
 
 }  // namespace isostretch::energies::tests

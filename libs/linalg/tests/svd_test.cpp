@@ -1,5 +1,4 @@
 #include <isostretch/core/error.hpp>
-#include <isostretch/core/isa.hpp>
 #include <isostretch/linalg/decompositions.hpp>
 
 #include <doctest/doctest.h>
@@ -10,24 +9,15 @@
 #include <random>
 #include <vector>
 
+#include "every_level.hpp"
+
 using namespace isostretch;
+using tests::at_every_level;
 
 namespace {
 
 template <int Dim>
 using Matrix = Eigen::Matrix<double, Dim, Dim>;
-
-// Runs a check at every instruction-set level this machine has.
-template <class Check>
-void at_every_level(Check check) {
-  const Isa before = active_isa();
-  for (const Isa isa : available_isas()) {
-    CAPTURE(isa_name(isa));
-    set_isa(isa);
-    check();
-  }
-  set_isa(before);
-}
 
 template <int Dim>
 Matrix<Dim> random_matrix(std::mt19937& generator) {

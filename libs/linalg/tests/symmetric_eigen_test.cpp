@@ -1,4 +1,3 @@
-#include <isostretch/core/isa.hpp>
 #include <isostretch/linalg/decompositions.hpp>
 
 #include <doctest/doctest.h>
@@ -7,6 +6,8 @@
 
 #include <algorithm>
 #include <random>
+
+#include "every_level.hpp"
 
 using namespace isostretch;
 
@@ -51,20 +52,14 @@ void check_all() {
 }  // namespace
 
 TEST_CASE("symmetric eigen-decomposition: orthogonal, rebuilds A, agrees with Eigen") {
-  const Isa before = active_isa();
-  for (const Isa isa : available_isas()) {
-    CAPTURE(isa_name(isa));
-    set_isa(isa);
+  tests::at_every_level([] {
     check_all<2>();
     check_all<3>();
-  }
-  set_isa(before);
+  });
 }
 
 TEST_CASE("symmetric eigen-decomposition: a graded positive definite matrix keeps its small eigenvalue") {
-  const Isa before = active_isa();
-  for (const Isa isa : available_isas()) {
-    set_isa(isa);
+  tests::at_every_level([] {
     // D M D with M = I + 0.5 off the diagonal and D = diag(1, 2^-20, 2^-40): det = det(M) * prod(D)^2.
     Eigen::Matrix3d A;
     const double d[3] = {1.0, 0x1p-20, 0x1p-40};
@@ -73,6 +68,5 @@ TEST_CASE("symmetric eigen-decomposition: a graded positive definite matrix keep
     const auto eigen = linalg::symmetric_eigen<3>(A);
     CHECK(eigen.lambda.minCoeff() > 0);
     CHECK(eigen.lambda.prod() == doctest::Approx(0.5 * 0x1p-120).epsilon(1e-14));
-  }
-  set_isa(before);
+  });
 }

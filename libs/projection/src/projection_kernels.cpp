@@ -36,30 +36,18 @@ ISOSTRETCH_INLINE void store_hessian(const BlockCoefficients<Dim, Pack>& coeffic
       store_block<Dim, Dim>(H, stride, i, c, d, coefficients.block(U, V.m[c], V.m[d]));
 }
 
-template <int Dim>
-ISOSTRETCH_INLINE void load_gradient(const ChunkTask& task, int node, int i, Pack (&b)[Dim]) {
-  for (int c = 0; c < Dim; ++c)
-    b[c] = load<Pack>(task.gradients + static_cast<std::size_t>((node - 1) * Dim + c) * task.stride + i);
+ISOSTRETCH_INLINE Pack rest_gradient(const ChunkTask& task, int dim, int node, int axis, int i) {
+  return load<Pack>(task.gradients + static_cast<std::size_t>((node - 1) * dim + axis) * task.stride + i);
 }
 
-// Linear elements: Dim + 1 nodes, the first with minus the sum of the others' rest gradients.
+// Linear elements: Dim + 1 nodes.
 template <int Dim>
 ISOSTRETCH_INLINE void store_element_gradient(const Mat<Dim, Pack>& P, const ChunkTask& task, int i) {
-  const Pack weight = load<Pack>(task.weights + i);
-  Pack first[Dim];
-  for (int r = 0; r < Dim; ++r) first[r] = Pack(0.0);
-  for (int a = 1; a <= Dim; ++a) {
-    Pack b[Dim];
-    load_gradient<Dim>(task, a, i, b);
-    for (int r = 0; r < Dim; ++r) {
-      Pack sum = P[r][0] * b[0];
-      for (int c = 1; c < Dim; ++c) sum = fma(P[r][c], b[c], sum);
-      sum = weight * sum;
-      store(task.G + static_cast<std::size_t>(a * Dim + r) * task.stride + i, sum);
-      first[r] = first[r] - sum;
-    }
-  }
-  for (int r = 0; r < Dim; ++r) store(task.G + static_cast<std::size_t>(r) * task.stride + i, first[r]);
+  for_each_force<Dim, Dim + 1>(
+      P, load<Pack>(task.weights + i), [&](int a, int c) { return rest_gradient(task, Dim, a, c, i); },
+      [&](int a, int r, Pack value) {
+        store(task.G + static_cast<std::size_t>(a * Dim + r) * task.stride + i, value);
+      });
 }
 
 template <int Dim>
@@ -69,29 +57,12 @@ ISOSTRETCH_INLINE void store_element_hessian(const BlockCoefficients<Dim, Pack>&
   Pack g[Dim + 1][Dim];
   for (int a = 1; a <= Dim; ++a) {
     Pack b[Dim];
-    load_gradient<Dim>(task, a, i, b);
+    for (int c = 0; c < Dim; ++c) b[c] = rest_gradient(task, Dim, a, c, i);
     rotate_gradient(V, b, g[a]);
   }
-  Mat<Dim, Pack> with_first[Dim + 1];
-  for (int a = 0; a <= Dim; ++a)
-    for (int r = 0; r < Dim; ++r)
-      for (int s = 0; s < Dim; ++s) with_first[a][r][s] = Pack(0.0);
-  for (int a = 1; a <= Dim; ++a)
-    for (int b = a; b <= Dim; ++b) {
-      const Mat<Dim, Pack> K = coefficients.block(U, g[a], g[b]);
-      store_block<Dim, Dim + 1>(task.K, task.stride, i, a, b, K);
-      for (int r = 0; r < Dim; ++r)
-        for (int s = 0; s < Dim; ++s) {
-          with_first[b][r][s] = with_first[b][r][s] - K[r][s];
-          if (a != b) with_first[a][r][s] = with_first[a][r][s] - K[s][r];
-        }
-    }
-  for (int b = 1; b <= Dim; ++b) {
-    store_block<Dim, Dim + 1>(task.K, task.stride, i, 0, b, with_first[b]);
-    for (int r = 0; r < Dim; ++r)
-      for (int s = 0; s < Dim; ++s) with_first[0][r][s] = with_first[0][r][s] - with_first[b][r][s];
-  }
-  store_block<Dim, Dim + 1>(task.K, task.stride, i, 0, 0, with_first[0]);
+  for_each_block(coefficients, U, g, [&](int a, int b, const Mat<Dim, Pack>& K) {
+    store_block<Dim, Dim + 1>(task.K, task.stride, i, a, b, K);
+  });
 }
 
 template <int Dim>

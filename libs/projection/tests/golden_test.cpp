@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "every_level.hpp"
 #include "golden.hpp"
 
 using namespace isostretch;
@@ -54,12 +55,8 @@ void check_all() {
 }  // namespace
 
 TEST_CASE("golden records: stress and Hessians, exact and clamped, of every instruction-set level") {
-  const Isa before = active_isa();
-  for (const Isa isa : available_isas()) {
-    CAPTURE(isa_name(isa));
-    set_isa(isa);
+  tests::at_every_level([] {
     check_all<2>();
     check_all<3>();
-  }
-  set_isa(before);
+  });
 }

@@ -1,5 +1,4 @@
 #include <isostretch/core/error.hpp>
-#include <isostretch/core/isa.hpp>
 #include <isostretch/energies/registry.hpp>
 #include <isostretch/projection/eigensystem.hpp>
 #include <isostretch/projection/projection.hpp>
@@ -11,6 +10,8 @@
 #include <cmath>
 #include <random>
 #include <vector>
+
+#include "every_level.hpp"
 
 using namespace isostretch;
 using projection::Filter;
@@ -121,14 +122,10 @@ void check_derivatives(const energies::AnyEnergy& energy) {
 }
 
 template <class Check>
-void for_every_energy_and_level(Check check) {
-  const Isa before = active_isa();
-  for (const Isa isa : available_isas()) {
-    set_isa(isa);
-    CAPTURE(isa_name(isa));
+void for_every_energy_and_level(const Check& check) {
+  tests::at_every_level([&] {
     for (const auto& name : energies::energy_names()) check(energies::make_energy(name));
-  }
-  set_isa(before);
+  });
 }
 
 }  // namespace

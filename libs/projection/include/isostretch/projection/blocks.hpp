@@ -83,6 +83,56 @@ struct BlockCoefficients {
   }
 };
 
+// Calls sink(a, b, K_ab) for every block a <= b of an element of Nodes nodes, given the rest gradients of
+// nodes 1, 2, ... in the frame of V. Rest gradients add up to zero over an element, hence so do rows of
+// blocks: those of node 0 are minus the sums of the others'.
+template <int Dim, int Nodes, class T, class Sink>
+ISOSTRETCH_INLINE void for_each_block(const BlockCoefficients<Dim, T>& coefficients, const Mat<Dim, T>& U,
+                                      const T (&g)[Nodes][Dim], const Sink& sink) {
+  Mat<Dim, T> with_first[Nodes];
+  for (int a = 0; a < Nodes; ++a)
+    for (int r = 0; r < Dim; ++r)
+      for (int s = 0; s < Dim; ++s) with_first[a][r][s] = T(0.0);
+  for (int a = 1; a < Nodes; ++a)
+    for (int b = a; b < Nodes; ++b) {
+      const Mat<Dim, T> K = coefficients.block(U, g[a], g[b]);
+      sink(a, b, K);
+      for (int r = 0; r < Dim; ++r)
+        for (int s = 0; s < Dim; ++s) {
+          with_first[b][r][s] = with_first[b][r][s] - K[r][s];
+          if (a != b) with_first[a][r][s] = with_first[a][r][s] - K[s][r];
+        }
+    }
+  for (int b = 1; b < Nodes; ++b) {
+    sink(0, b, with_first[b]);
+    for (int r = 0; r < Dim; ++r)
+      for (int s = 0; s < Dim; ++s) with_first[0][r][s] = with_first[0][r][s] - with_first[b][r][s];
+  }
+  for (int r = 0; r < Dim; ++r)
+    for (int s = 0; s < r; ++s) with_first[0][r][s] = with_first[0][s][r];  // symmetric to the last bit
+  sink(0, 0, with_first[0]);
+}
+
+// Calls sink(a, r, value) for every entry of the gradient of an element: weight P b_a, likewise with node 0
+// last.
+template <int Dim, int Nodes, class T, class RestGradient, class Sink>
+ISOSTRETCH_INLINE void for_each_force(const Mat<Dim, T>& P, T weight, const RestGradient& rest_gradient,
+                                      const Sink& sink) {
+  T first[Dim];
+  for (int r = 0; r < Dim; ++r) first[r] = T(0.0);
+  for (int a = 1; a < Nodes; ++a) {
+    T b[Dim];
+    for (int c = 0; c < Dim; ++c) b[c] = weight * rest_gradient(a, c);
+    for (int r = 0; r < Dim; ++r) {
+      T sum = P[r][0] * b[0];
+      for (int c = 1; c < Dim; ++c) sum = fma(P[r][c], b[c], sum);
+      sink(a, r, sum);
+      first[r] = first[r] - sum;
+    }
+  }
+  for (int r = 0; r < Dim; ++r) sink(0, r, first[r]);
+}
+
 // b in the frame of V: V^T b.
 template <int Dim, class T>
 ISOSTRETCH_INLINE void rotate_gradient(const Mat<Dim, T>& V, const T (&b)[Dim], T (&g)[Dim]) {
