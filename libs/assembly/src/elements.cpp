@@ -21,6 +21,7 @@ void require_sizes(const Elements& e) {
                 "D: there are 3 and 6 in 2D, 4, 8 and 10 in 3D");
   if (e.points_per_element < 1) throw Error("elements without quadrature points");
   const std::size_t count = static_cast<std::size_t>(e.element_count());
+  if (count == 0) throw Error("there are no elements");
   const std::size_t points = count * static_cast<std::size_t>(e.points_per_element);
   if (e.nodes.size() != count * static_cast<std::size_t>(n))
     throw Error("node array of " + std::to_string(e.nodes.size()) + " entries is not a multiple of " +

@@ -295,6 +295,9 @@ TEST_CASE("several quadrature points add up") {
 TEST_CASE("malformed elements are refused, naming the element") {
   const auto energy = energies::make_energy("arap");
   Elements elements = triangles(2);
+  Elements none = elements;
+  none.nodes.clear(), none.gradients.clear(), none.weights.clear();
+  CHECK_THROWS_WITH_AS(EnergyAssembler(none, energy), doctest::Contains("no elements"), Error);
   elements.nodes[7] = 99;
   CHECK_THROWS_WITH_AS(EnergyAssembler(elements, energy), doctest::Contains("element 2: node 99"), Error);
   elements = triangles(2);
