@@ -1,7 +1,7 @@
 #pragma once
 
 // Two packs in one scalar type. An iterative kernel such as the SVD is one long chain of roots and divisions,
-// and waits for their latency; two independent chains interleaved fill the gaps and are up to 1.8 times as
+// and waits for their latency; two independent chains interleaved fill the gaps and are up to 1.6 times as
 // fast.
 //
 // WidePack is the pair where that pays and the plain Pack elsewhere: gcc 12 spills too much with the sixteen
