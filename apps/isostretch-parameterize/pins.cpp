@@ -20,18 +20,18 @@ bool has_targets(const Pins& pins) {
   return false;
 }
 
-bool at_targets(const Eigen::VectorXd& x, const Pins& pins) {
+bool at_targets(const Vector& x, const Pins& pins) {
   for (const HardPin& pin : pins.hard)
     if (pin.target && x.segment<2>(2 * pin.node) != *pin.target) return false;
   return true;
 }
 
-void snap(Eigen::VectorXd& x, const Pins& pins) {
+void snap(Vector& x, const Pins& pins) {
   for (const HardPin& pin : pins.hard)
     if (pin.target) x.segment<2>(2 * pin.node) = *pin.target;
 }
 
-void align(Eigen::VectorXd& x, const Pins& pins) {
+void align(Vector& x, const Pins& pins) {
   std::vector<Point2> from, to;
   for (const HardPin& pin : pins.hard)
     if (pin.target) {
@@ -43,9 +43,8 @@ void align(Eigen::VectorXd& x, const Pins& pins) {
 }
 
 // True and x moved onto the targets when that leaves no triangle turned over.
-bool snap_without_flips(Eigen::VectorXd& x, const Pins& pins, const mesh::Triangles& triangles,
-                        int& culprit) {
-  Eigen::VectorXd trial = x;
+bool snap_without_flips(Vector& x, const Pins& pins, const mesh::Triangles& triangles, int& culprit) {
+  Vector trial = x;
   snap(trial, pins);
   const auto flipped = mesh::orientation(points(trial), triangles).flipped;
   if (!flipped.empty()) {
@@ -57,14 +56,14 @@ bool snap_without_flips(Eigen::VectorXd& x, const Pins& pins, const mesh::Triang
 }
 
 // A few iterations with the targets as soft pins of that weight.
-void pull(Eigen::VectorXd& x, const Pins& pins, double weight, const assembly::Elements& elements,
+void pull(Vector& x, const Pins& pins, double weight, const assembly::Elements& elements,
           const energies::AnyEnergy& energy, newton::Options options) {
   newton::Objective objective(2, elements.node_count);
   objective.add<newton::EnergyTerm>(elements, energy);
   std::vector<newton::SoftPin> soft;
   for (const HardPin& pin : pins.hard) {
     if (pin.target)
-      soft.push_back({pin.node, *pin.target, weight});
+      soft.push_back({pin.node, {pin.target->x(), pin.target->y()}, weight});
     else
       objective.pin(pin.node);
   }
@@ -84,11 +83,11 @@ std::vector<int> Pins::nodes() const {
   return all;
 }
 
-Eigen::VectorXd positions(const mesh::Points2& uv) {
-  return Eigen::Map<const Eigen::VectorXd>(uv.data(), uv.size());
+Vector positions(const mesh::Points2& uv) {
+  return Eigen::Map<const Vector>(uv.data(), uv.size());
 }
 
-mesh::Points2 points(const Eigen::VectorXd& x) {
+mesh::Points2 points(const Vector& x) {
   return Eigen::Map<const mesh::Points2>(x.data(), x.size() / 2, 2);
 }
 
@@ -110,12 +109,13 @@ Pins resolve_pins(const Domain& domain, const Start& start, const Options& optio
     if (hard.count(node) != 0)
       throw Failure(ExitCode::command_line,
                     "--soft-pin: vertex " + std::to_string(pin.vertex) + " is pinned hard as well");
-    pins.soft.push_back({node, pin.target / start.unit_length, pin.weight});
+    const Point2 target = pin.target / start.unit_length;
+    pins.soft.push_back({node, {target.x(), target.y()}, pin.weight});
   }
   return pins;
 }
 
-void place_hard_pins(Eigen::VectorXd& x, const Pins& pins, const assembly::Elements& elements,
+void place_hard_pins(Vector& x, const Pins& pins, const assembly::Elements& elements,
                      const energies::AnyEnergy& energy, const Domain& domain, const Options& options) {
   if (!has_targets(pins) || at_targets(x, pins)) return;
   align(x, pins);

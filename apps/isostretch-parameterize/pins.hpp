@@ -25,8 +25,8 @@ struct Pins {
 };
 
 // Node by node, the order the solver wants.
-Eigen::VectorXd positions(const mesh::Points2& uv);
-mesh::Points2 points(const Eigen::VectorXd& x);
+Vector positions(const mesh::Points2& uv);
+mesh::Points2 points(const Vector& x);
 
 // The pins on the command line in the solver's numbers and units. Throws Failure (ExitCode::command_line) for
 // vertices that do not exist or are not one in the layout, and for a vertex pinned both ways.
@@ -36,7 +36,7 @@ Pins resolve_pins(const Domain& domain, const Start& start, const Options& optio
 // pins home exactly. Where more pins would turn triangles over and the energy has a barrier, the layout is
 // pulled towards the targets with soft pins until it can take them. Throws Failure (ExitCode::input) naming
 // a triangle when it never can.
-void place_hard_pins(Eigen::VectorXd& x, const Pins& pins, const assembly::Elements& elements,
+void place_hard_pins(Vector& x, const Pins& pins, const assembly::Elements& elements,
                      const energies::AnyEnergy& energy, const Domain& domain, const Options& options);
 
 }  // namespace isostretch::app::parameterize

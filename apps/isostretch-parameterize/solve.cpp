@@ -13,7 +13,7 @@
 namespace isostretch::app::parameterize {
 namespace {
 
-newton::CallbackAction watch(const newton::Iteration& row, const Eigen::VectorXd&) {
+newton::CallbackAction watch(const newton::Iteration& row, const Vector&) {
   show_progress(progress_line(row));
   return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
 }
@@ -22,24 +22,18 @@ void explain_interrupt(newton::Summary& summary) {
   if (summary.status == newton::Status::stopped_by_callback) summary.message = "interrupted (Ctrl-C)";
 }
 
-double soft_pin_energy(const std::vector<newton::SoftPin>& pins, const Eigen::VectorXd& x) {
-  double sum = 0;
-  for (const auto& pin : pins) sum += pin.weight * (x.segment(2 * pin.node, 2) - pin.target).squaredNorm();
-  return sum;
-}
-
 }  // namespace
 
 Solution solve(const Domain& domain, const Start& start, const energies::AnyEnergy& energy,
                const Options& options) {
   const Pins pins = resolve_pins(domain, start, options);
   const assembly::Elements elements = assembly::elements_from(start.elements);
-  Eigen::VectorXd x = positions(start.uv);
+  Vector x = positions(start.uv);
   place_hard_pins(x, pins, elements, energy, domain, options);
 
   newton::Objective objective(2, elements.node_count);
   const auto& term = objective.add<newton::EnergyTerm>(elements, energy);
-  if (!pins.soft.empty()) objective.add<newton::SoftPinTerm>(2, elements.node_count, pins.soft);
+  auto& soft_pins = objective.add<newton::SoftPinTerm>(2, elements.node_count, pins.soft);
   for (const HardPin& pin : pins.hard) objective.pin(pin.node);
 
   Solution solution;
@@ -47,7 +41,7 @@ Solution solve(const Domain& domain, const Start& start, const energies::AnyEner
   clear_progress();
   explain_interrupt(solution.summary);
   solution.stretches = term.assembler().stretches(x.data());
-  solution.soft_pin_energy = soft_pin_energy(pins.soft, x);
+  solution.soft_pin_energy = soft_pins.value(x).value;
   solution.uv = points(x) * start.unit_length;
   for (const HardPin& pin : pins.hard)
     if (pin.output) solution.uv.row(pin.node) = *pin.output;  // to the last bit as asked

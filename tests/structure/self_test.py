@@ -9,6 +9,7 @@ import unittest
 
 import check_dependencies
 import check_kernel_symbols
+import check_owned_vectors
 import check_silence
 import libraries
 
@@ -81,6 +82,18 @@ class Silence(unittest.TestCase):
         for line in ("std::snprintf(b, n, f);", "// printf(x)", 'text = "exit(1)";', "on_exit(x);", "fprintf(file_, f);",
                      "solver.abort();", "static_assert(true);", "const int a = 1'000; // exit(1)"):
             self.assertEqual(check_silence.faults_in(line), [], line)
+
+
+class OwnedVectors(unittest.TestCase):
+    def test_functions_of_aligned_matrices_are_noticed(self):
+        vector = "Eigen::Matrix<double, -1, 1, {}, -1, 1>"
+        storage = "Eigen::DenseStorage<int, -1, 1, -1, {}>::resize(long, long, long)"
+        resize = "Eigen::PlainObjectBase<" + vector + " >::resize(long)"
+        bad = [("W", resize.format(0)), ("V", storage.format(1))]
+        self.assertEqual(len(check_owned_vectors.faults_in(bad)), 2)
+        good = [("W", resize.format(2)), ("W", storage.format(3)), ("T", resize.format(0)),
+                ("W", "isostretch_" + resize.format(0)), ("W", "void use<" + vector.format(0) + " >()")]
+        self.assertEqual(check_owned_vectors.faults_in(good), [])
 
 
 class KernelSymbols(unittest.TestCase):

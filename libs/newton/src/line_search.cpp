@@ -11,13 +11,13 @@ constexpr double energy_rounding = 2e-14;
 
 // The model at hand was too stiff where the first step gains clearly more than it promised: barrier energies
 // far from rest, and filtered Hessians. Energies are cheap beside a factorization, so go on while that pays.
-void expand(Objective& objective, const Eigen::VectorXd& x, const Eigen::VectorXd& d, double energy,
-            double slope, const Options& options, Eigen::VectorXd& trial, LineSearchResult& best) {
+void expand(Objective& objective, const Vector& x, const Vector& d, double energy, double slope,
+            const Options& options, Vector& trial, LineSearchResult& best) {
   const double promised = -slope * best.step * (1 - 0.5 * best.step);
   if (energy - best.energy < options.expansion_ratio * promised) return;
   const double limit =
       options.domain_fraction * objective.max_step(x, d, options.max_expansion / options.domain_fraction);
-  Eigen::VectorXd further;
+  Vector further;
   while (best.step < limit) {
     const double step = std::min(options.expansion_factor * best.step, limit);
     further = x + step * d;
@@ -32,8 +32,8 @@ void expand(Objective& objective, const Eigen::VectorXd& x, const Eigen::VectorX
 
 }  // namespace
 
-LineSearchResult search_line(Objective& objective, const Eigen::VectorXd& x, const Eigen::VectorXd& d,
-                             double energy, double slope, const Options& options, Eigen::VectorXd& trial) {
+LineSearchResult search_line(Objective& objective, const Vector& x, const Vector& d, double energy,
+                             double slope, const Options& options, Vector& trial) {
   LineSearchResult result;
   const double limit = 1.0 / options.domain_fraction;
   double step = std::min(1.0, options.domain_fraction * objective.max_step(x, d, limit));

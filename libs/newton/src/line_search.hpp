@@ -16,7 +16,7 @@ struct LineSearchResult {
 
 // Finds a step along the descent direction d (slope = gradient . d < 0) from x with that energy; `trial` is x
 // + step d when accepted. Only energies are evaluated.
-LineSearchResult search_line(Objective& objective, const Eigen::VectorXd& x, const Eigen::VectorXd& d,
-                             double energy, double slope, const Options& options, Eigen::VectorXd& trial);
+LineSearchResult search_line(Objective& objective, const Vector& x, const Vector& d, double energy,
+                             double slope, const Options& options, Vector& trial);
 
 }  // namespace isostretch::newton

@@ -23,16 +23,20 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double bounding_box_diagonal(const Eigen::VectorXd& x, int dim) {
-  const Eigen::Map<const Eigen::MatrixXd> nodes(x.data(), dim, x.size() / dim);
-  return (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm();
+double bounding_box_diagonal(const Vector& x, int dim) {
+  double squared = 0;
+  for (int axis = 0; axis < dim; ++axis) {
+    const auto coordinates = x(Eigen::seqN(axis, x.size() / dim, dim));
+    const double extent = coordinates.maxCoeff() - coordinates.minCoeff();
+    squared += extent * extent;
+  }
+  return std::sqrt(squared);
 }
 
 // One solve, from start to summary.
 class Minimizer {
  public:
-  Minimizer(Objective& objective, Eigen::VectorXd& x, const Options& options,
-            const IterationCallback& callback)
+  Minimizer(Objective& objective, Vector& x, const Options& options, const IterationCallback& callback)
       : objective_(objective), x_(x), options_(options), callback_(callback), policy_(options) {}
 
   Summary run() {
@@ -155,9 +159,9 @@ class Minimizer {
   bool solve() {
     const ScopedTimer timer(summary_.seconds.solve);
     const auto& unknowns = objective_.pattern().unknowns();
-    Eigen::VectorXd right(unknowns.size()), solution;
+    Vector right(unknowns.size()), solution(unknowns.size());
     for (int i = 0; i < unknowns.size(); ++i) right[i] = -gradient_[unknowns.dof(i)];
-    const sparse::SolveResult result = solver_->solve(right, solution);
+    const sparse::SolveResult result = solver_->solve_columns(right.data(), solution.data(), 1);
     if (!result && result.status != sparse::SolveStatus::not_converged)
       return end(Status::failed_factorization, result.message);
     direction_.setZero(objective_.dofs());
@@ -193,13 +197,11 @@ class Minimizer {
     const double before = summary_.energy, gradient_before = summary_.gradient_inf_norm;
     policy_.step_taken(search.step);
     filter_ = policy_.first();
-    // Copied, never swapped: the memory of the caller's vector must not change hands between code compiled
-    // with different instruction sets.
-    previous_ = x_;
-    x_ = trial_;
+    previous_.swap(x_);
+    x_.swap(trial_);
     const Evaluation at = differentiate();
     if (!std::isfinite(at.value) || !gradient_.allFinite()) {
-      x_ = previous_;
+      x_.swap(previous_);
       return end(Status::failed_line_search, "energy or gradient is not finite after a step that was");
     }
     summary_.energy = at.value;
@@ -235,7 +237,7 @@ class Minimizer {
   }
 
   Objective& objective_;
-  Eigen::VectorXd& x_;
+  Vector& x_;
   const Options& options_;
   const IterationCallback& callback_;
   HessianPolicy policy_;
@@ -244,7 +246,7 @@ class Minimizer {
   projection::FilterOptions filter_;
   sparse::SymmetricMatrix matrix_;
   std::unique_ptr<sparse::Solver> solver_;
-  Eigen::VectorXd gradient_, direction_, trial_, previous_;
+  Vector gradient_, direction_, trial_, previous_;
   double typical_stiffness_ = 0;
   double last_relative_shift_ = 0;
   std::size_t points_filtered_ = 0;
@@ -252,8 +254,7 @@ class Minimizer {
 
 }  // namespace
 
-Summary minimize(Objective& objective, Eigen::VectorXd& x, const Options& options,
-                 const IterationCallback& callback) {
+Summary minimize(Objective& objective, Vector& x, const Options& options, const IterationCallback& callback) {
   options.validate();
   if (x.size() != objective.dofs())
     throw Error("start of " + std::to_string(x.size()) + " entries for " + std::to_string(objective.dofs()) +

@@ -59,14 +59,14 @@ void accumulate(Evaluation& sum, const Evaluation& part) {
 
 }  // namespace
 
-Evaluation Objective::value(const Eigen::VectorXd& x) {
+Evaluation Objective::value(const Vector& x) {
   Evaluation sum;
   for (const auto& term : terms_) accumulate(sum, term->value(x));
   return sum;
 }
 
-Evaluation Objective::differentiate(const Eigen::VectorXd& x, const projection::FilterOptions& filter,
-                                    Eigen::VectorXd& gradient, bool hessian) {
+Evaluation Objective::differentiate(const Vector& x, const projection::FilterOptions& filter,
+                                    Vector& gradient, bool hessian) {
   if (hessian) pattern();
   gradient.setZero(dofs());
   Evaluation sum;
@@ -81,7 +81,7 @@ void Objective::hessian(sparse::SymmetricMatrix& matrix) {
   for (const auto& term : terms_) term->add_hessian(matrix.value.data());
 }
 
-double Objective::max_step(const Eigen::VectorXd& x, const Eigen::VectorXd& dx, double limit) const {
+double Objective::max_step(const Vector& x, const Vector& dx, double limit) const {
   for (const auto& term : terms_) limit = term->max_step(x, dx, limit);
   return limit;
 }

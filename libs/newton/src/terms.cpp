@@ -1,14 +1,16 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/newton/term.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
 namespace isostretch::newton {
 
 Term::~Term() = default;
-double Term::max_step(const Eigen::VectorXd&, const Eigen::VectorXd&, double limit) const {
+double Term::max_step(const Vector&, const Vector&, double limit) const {
   return limit;
 }
 
@@ -21,12 +23,12 @@ void EnergyTerm::add_to(assembly::PatternBuilder& builder) const {
 void EnergyTerm::bind(const assembly::HessianPattern& pattern) {
   assembler_.bind(pattern);
 }
-Evaluation EnergyTerm::value(const Eigen::VectorXd& x) {
+Evaluation EnergyTerm::value(const Vector& x) {
   return assembler_.value(x.data());
 }
 
-Evaluation EnergyTerm::differentiate(const Eigen::VectorXd& x, const projection::FilterOptions& filter,
-                                     Eigen::VectorXd& gradient, bool hessian) {
+Evaluation EnergyTerm::differentiate(const Vector& x, const projection::FilterOptions& filter,
+                                     Vector& gradient, bool hessian) {
   return assembler_.differentiate(x.data(), filter, gradient.data(), hessian);
 }
 
@@ -34,7 +36,7 @@ void EnergyTerm::add_hessian(double* values) const {
   assembler_.add_hessian(values);
 }
 
-double EnergyTerm::max_step(const Eigen::VectorXd& x, const Eigen::VectorXd& dx, double limit) const {
+double EnergyTerm::max_step(const Vector& x, const Vector& dx, double limit) const {
   return assembler_.max_step(x.data(), dx.data(), limit);
 }
 
@@ -46,7 +48,9 @@ SoftPinTerm::SoftPinTerm(int dim, int node_count, std::vector<SoftPin> pins)
     if (pin.node < 0 || pin.node >= node_count)
       throw Error(name + ": node " + std::to_string(pin.node) + " is not among the " +
                   std::to_string(node_count) + " there are");
-    if (pin.target.size() != dim || !pin.target.allFinite())
+    const bool finite =
+        std::all_of(pin.target.begin(), pin.target.end(), [](double t) { return std::isfinite(t); });
+    if (std::ssize(pin.target) != dim || !finite)
       throw Error(name + ": target must be " + std::to_string(dim) + " finite numbers");
     if (!(pin.weight > 0) || !std::isfinite(pin.weight)) throw Error(name + ": weight must be positive");
   }
@@ -57,18 +61,23 @@ void SoftPinTerm::bind(const assembly::HessianPattern& pattern) {
   pattern_ = &pattern;
 }
 
-Evaluation SoftPinTerm::value(const Eigen::VectorXd& x) {
+Evaluation SoftPinTerm::value(const Vector& x) {
   Evaluation result;
   for (const SoftPin& pin : pins_)
-    result.value += pin.weight * (x.segment(pin.node * dim_, dim_) - pin.target).squaredNorm();
+    for (int axis = 0; axis < dim_; ++axis) {
+      const double distance = x[pin.node * dim_ + axis] - pin.target[static_cast<std::size_t>(axis)];
+      result.value += pin.weight * distance * distance;
+    }
   return result;
 }
 
-Evaluation SoftPinTerm::differentiate(const Eigen::VectorXd& x, const projection::FilterOptions&,
-                                      Eigen::VectorXd& gradient, bool) {
+Evaluation SoftPinTerm::differentiate(const Vector& x, const projection::FilterOptions&, Vector& gradient,
+                                      bool) {
   for (const SoftPin& pin : pins_)
-    gradient.segment(pin.node * dim_, dim_) +=
-        2 * pin.weight * (x.segment(pin.node * dim_, dim_) - pin.target);
+    for (int axis = 0; axis < dim_; ++axis) {
+      const int dof = pin.node * dim_ + axis;
+      gradient[dof] += 2 * pin.weight * (x[dof] - pin.target[static_cast<std::size_t>(axis)]);
+    }
   return value(x);
 }
 

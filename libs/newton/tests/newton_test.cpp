@@ -27,7 +27,7 @@ namespace {
 struct Flattening {
   mesh::SurfaceMesh surface;
   assembly::Elements elements;
-  Eigen::VectorXd start;
+  Vector start;
 
   explicit Flattening(mesh::SurfaceMesh mesh) : surface(std::move(mesh)) {
     auto arrays = mesh::flat_elements(surface);
@@ -35,7 +35,7 @@ struct Flattening {
     elements = assembly::elements_from(arrays);
     const auto tutte = mesh::tutte_embedding(surface);
     REQUIRE(tutte.status == mesh::TutteStatus::ok);
-    start = Eigen::Map<const Eigen::VectorXd>(tutte.uv.data(), tutte.uv.size());
+    start = Eigen::Map<const Vector>(tutte.uv.data(), tutte.uv.size());
   }
 
   newton::Objective objective(const energies::AnyEnergy& energy) const {
@@ -44,7 +44,7 @@ struct Flattening {
     return result;
   }
 
-  int flipped(const Eigen::VectorXd& x) const {
+  int flipped(const Vector& x) const {
     mesh::Points2 uv(x.size() / 2, 2);
     for (Eigen::Index i = 0; i < uv.rows(); ++i) uv.row(i) = x.segment<2>(2 * i).transpose();
     return mesh::count_flipped(uv, surface.triangles);
@@ -71,7 +71,7 @@ TEST_CASE("every energy of the plane flattens a curved disk; every projection re
     double best = std::numeric_limits<double>::quiet_NaN();
     for (const Projection projection : {Projection::clamp, Projection::adaptive, Projection::abs}) {
       auto objective = face.objective(energy);
-      Eigen::VectorXd x = face.start;
+      Vector x = face.start;
       newton::Options options = tight();
       options.projection = projection;
       const auto summary = newton::minimize(objective, x, options);
@@ -92,7 +92,7 @@ TEST_CASE("every energy of the plane flattens a curved disk; every projection re
 TEST_CASE("the end phase is quadratic with the exact Hessian") {
   const Flattening face(mesh::procedural_face(12));
   auto objective = face.objective(energies::make_energy("symmetric_dirichlet"));
-  Eigen::VectorXd x = face.start;
+  Vector x = face.start;
   newton::Options options = tight();
   options.gradient_tolerance = 1e-11;
   const auto summary = newton::minimize(objective, x, options);
@@ -108,15 +108,16 @@ TEST_CASE("hard pins stay to the last bit, soft pins pull") {
   auto objective = face.objective(energies::make_energy("symmetric_dirichlet"));
   objective.pin(0);
   objective.pin(17);
-  Eigen::VectorXd x = face.start;
+  Vector x = face.start;
   CHECK(newton::minimize(objective, x, tight()).converged());
   CHECK(x.segment<2>(0) == face.start.segment<2>(0));
   CHECK(x.segment<2>(34) == face.start.segment<2>(34));
 
   auto soft = face.objective(energies::make_energy("symmetric_dirichlet"));
   const Eigen::Vector2d target(2.0, 1.0);
-  soft.add<newton::SoftPinTerm>(2, face.elements.node_count, std::vector<newton::SoftPin>{{3, target, 1e4}});
-  Eigen::VectorXd y = face.start;
+  soft.add<newton::SoftPinTerm>(2, face.elements.node_count,
+                                std::vector<newton::SoftPin>{{3, {2.0, 1.0}, 1e4}});
+  Vector y = face.start;
   CHECK(newton::minimize(soft, y, tight()).converged());
   CHECK((y.segment<2>(6) - target).norm() < 1e-3);
   CHECK(face.flipped(y) == 0);
@@ -126,7 +127,7 @@ TEST_CASE(
     "a flat patch goes back to rest, in 2D and, with tetrahedra, from inverted and collapsed starts in 3D") {
   const Flattening flat(mesh::grid(6, 6));
   auto objective = flat.objective(energies::make_energy("symmetric_dirichlet"));
-  Eigen::VectorXd x = flat.start;
+  Vector x = flat.start;
   const auto summary = newton::minimize(objective, x, tight());
   CHECK(summary.energy == doctest::Approx(4.0).epsilon(1e-12));
 
@@ -136,7 +137,7 @@ TEST_CASE(
     CAPTURE(name);
     newton::Objective solid(3, elements.node_count);
     solid.add<newton::EnergyTerm>(elements, energies::make_energy(name));
-    Eigen::VectorXd y(3 * bar.vertices.rows());
+    Vector y(3 * bar.vertices.rows());
     for (Eigen::Index i = 0; i < bar.vertices.rows(); ++i)
       y.segment<3>(3 * i) = bar.vertices.row(i).transpose();
     for (Eigen::Index i = 0; i < y.size(); ++i) y[i] += 0.3 * std::sin(12.9898 * static_cast<double>(i + 1));
@@ -150,7 +151,7 @@ TEST_CASE(
 TEST_CASE("results do not depend on the number of threads, bit for bit") {
   const Flattening face(mesh::procedural_face(20));
   const int before = omp_get_max_threads();
-  Eigen::VectorXd results[2];
+  Vector results[2];
   for (const int threads : {1, 2}) {
     omp_set_num_threads(threads);
     auto objective = face.objective(energies::make_energy("symmetric_dirichlet"));
@@ -177,8 +178,7 @@ TEST_CASE("scaling lengths and stiffness changes nothing with the scale-aware st
           elements, energies::make_energy("symmetric_dirichlet", {{"weight", stiffness}}));
       const auto tutte = mesh::tutte_embedding(scaled);
       const double area = mesh::total_area(scaled);
-      Eigen::VectorXd x =
-          Eigen::Map<const Eigen::VectorXd>(tutte.uv.data(), tutte.uv.size()) * std::sqrt(area);
+      Vector x = Eigen::Map<const Vector>(tutte.uv.data(), tutte.uv.size()) * std::sqrt(area);
       const auto summary = newton::minimize(objective, x);
       CHECK(summary.status == Status::converged_scaled_gradient);
       if (iterations < 0) iterations = summary.iterations;
@@ -190,7 +190,7 @@ TEST_CASE("each stopping rule says so") {
   const Flattening face(mesh::procedural_face(8));
   const auto run = [&](newton::Options options, const newton::IterationCallback& callback = {}) {
     auto objective = face.objective(energies::make_energy("symmetric_dirichlet"));
-    Eigen::VectorXd x = face.start;
+    Vector x = face.start;
     return newton::minimize(objective, x, options, callback);
   };
   newton::Options none;
@@ -217,7 +217,7 @@ TEST_CASE("each stopping rule says so") {
   summary = run(none);
   CHECK(summary.converged());
   CHECK(summary.gradient_inf_norm < 1e-10);
-  summary = run(none, [](const newton::Iteration& row, const Eigen::VectorXd&) {
+  summary = run(none, [](const newton::Iteration& row, const Vector&) {
     return row.iteration == 3 ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
   });
   CHECK(summary.status == Status::stopped_by_callback);
@@ -227,7 +227,7 @@ TEST_CASE("each stopping rule says so") {
 TEST_CASE("starts outside the domain, not finite, or of the wrong size") {
   const Flattening face(mesh::procedural_face(4));
   auto objective = face.objective(energies::make_energy("symmetric_dirichlet"));
-  Eigen::VectorXd x = face.start;
+  Vector x = face.start;
   for (Eigen::Index i = 0; i < x.size(); i += 2) x[i] = -x[i];  // mirrored
   auto summary = newton::minimize(objective, x);
   CHECK(summary.status == Status::failed_start);
@@ -249,7 +249,7 @@ TEST_CASE("everything pinned, or nothing to do, converges at once") {
   const Flattening face(mesh::procedural_face(4));
   auto objective = face.objective(energies::make_energy("arap"));
   for (int i = 0; i < face.elements.node_count; ++i) objective.pin(i);
-  Eigen::VectorXd x = face.start;
+  Vector x = face.start;
   const auto summary = newton::minimize(objective, x);
   CHECK(summary.converged());
   CHECK(summary.iterations == 0);
@@ -263,7 +263,7 @@ TEST_CASE(
   newton::Options options = tight();
   options.projection = Projection::none;
   auto objective = face.objective(energies::make_energy("symmetric_dirichlet"));
-  Eigen::VectorXd x = face.start;
+  Vector x = face.start;
   const auto shifted = newton::minimize(objective, x, options);
   CAPTURE(shifted.full_report());
   CHECK(shifted.converged());
@@ -273,7 +273,7 @@ TEST_CASE(
     with.gradient_tolerance = 1e-6;
     with.solver.backend = backend;
     auto again = face.objective(energies::make_energy("symmetric_dirichlet"));
-    Eigen::VectorXd y = face.start;
+    Vector y = face.start;
     const auto summary = newton::minimize(again, y, with);
     CAPTURE(summary.full_report());
     CHECK(summary.converged());
@@ -309,7 +309,7 @@ TEST_CASE("the published disks: E*, no flips, and the promised iterations, clamp
     const Flattening flattening(mesh::read_surface(path));
     for (const Projection projection : {Projection::adaptive, Projection::clamp}) {
       auto objective = flattening.objective(energies::make_energy("symmetric_dirichlet"));
-      Eigen::VectorXd x = flattening.start;
+      Vector x = flattening.start;
       newton::Options options;
       options.projection = projection;
       options.gradient_tolerance = 1e-4;

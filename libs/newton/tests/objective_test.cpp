@@ -17,9 +17,9 @@ assembly::Elements grid_elements(int n) {
   return assembly::elements_from(mesh::flat_elements(mesh::grid(n, n)));
 }
 
-Eigen::VectorXd grid_positions(int n) {
+Vector grid_positions(int n) {
   const auto vertices = mesh::grid(n, n).vertices;
-  Eigen::VectorXd x(2 * vertices.rows());
+  Vector x(2 * vertices.rows());
   for (Eigen::Index i = 0; i < vertices.rows(); ++i) x.segment<2>(2 * i) = vertices.row(i).head<2>();
   return x;
 }
@@ -32,10 +32,9 @@ TEST_CASE("an objective is the sum of its terms, gradient and Hessian included")
   objective.add<newton::EnergyTerm>(elements, energies::make_energy("arap"));
   newton::Objective with_pin(2, elements.node_count);
   with_pin.add<newton::EnergyTerm>(elements, energies::make_energy("arap"));
-  with_pin.add<newton::SoftPinTerm>(2, elements.node_count,
-                                    std::vector<newton::SoftPin>{{5, Eigen::Vector2d(3, 4), 10.0}});
-  Eigen::VectorXd x = 1.2 * grid_positions(3);
-  Eigen::VectorXd g0, g1;
+  with_pin.add<newton::SoftPinTerm>(2, elements.node_count, std::vector<newton::SoftPin>{{5, {3, 4}, 10.0}});
+  Vector x = 1.2 * grid_positions(3);
+  Vector g0, g1;
   const double e0 = objective.differentiate(x, {}, g0, true).value;
   const double e1 = with_pin.differentiate(x, {}, g1, true).value;
   const Eigen::Vector2d away = x.segment<2>(10) - Eigen::Vector2d(3, 4);
@@ -44,7 +43,7 @@ TEST_CASE("an objective is the sum of its terms, gradient and Hessian included")
   sparse::SymmetricMatrix h0 = objective.pattern().zero_matrix(), h1 = with_pin.pattern().zero_matrix();
   objective.hessian(h0);
   with_pin.hessian(h1);
-  const Eigen::VectorXd direction = Eigen::VectorXd::Unit(x.size(), 11);
+  const Vector direction = Vector::Unit(x.size(), 11);
   CHECK((h1.multiply(direction) - h0.multiply(direction)).isApprox(20 * direction));
 }
 
@@ -57,8 +56,8 @@ TEST_CASE("pins take degrees of freedom out of gradient and matrix") {
   objective.pin(3, 1);
   CHECK(objective.has_pins());
   CHECK(objective.pattern().zero_matrix().size == objective.dofs() - 3);
-  Eigen::VectorXd gradient;
-  const Eigen::VectorXd x = 2 * grid_positions(2);
+  Vector gradient;
+  const Vector x = 2 * grid_positions(2);
   objective.differentiate(x, {}, gradient, true);
   CHECK(gradient[0] == 0);
   CHECK(gradient[1] == 0);
@@ -72,12 +71,9 @@ TEST_CASE("misuse is refused, naming the node or the pin") {
   CHECK_THROWS_WITH_AS(objective.pin(0, 2), doctest::Contains("axis 2"), Error);
   CHECK_THROWS_AS(newton::Objective(4, 4), Error);
   const auto pins = [](newton::SoftPin pin) { return std::vector<newton::SoftPin>{std::move(pin)}; };
-  CHECK_THROWS_WITH_AS(newton::SoftPinTerm(2, 4, pins({7, Eigen::Vector2d(0, 0), 1})),
-                       doctest::Contains("node 7"), Error);
-  CHECK_THROWS_WITH_AS(newton::SoftPinTerm(2, 4, pins({1, Eigen::Vector3d(0, 0, 0), 1})),
-                       doctest::Contains("pin 0"), Error);
-  CHECK_THROWS_WITH_AS(newton::SoftPinTerm(2, 4, pins({1, Eigen::Vector2d(0, std::nan("")), 1})),
+  CHECK_THROWS_WITH_AS(newton::SoftPinTerm(2, 4, pins({7, {0, 0}, 1})), doctest::Contains("node 7"), Error);
+  CHECK_THROWS_WITH_AS(newton::SoftPinTerm(2, 4, pins({1, {0, 0, 0}, 1})), doctest::Contains("pin 0"), Error);
+  CHECK_THROWS_WITH_AS(newton::SoftPinTerm(2, 4, pins({1, {0, std::nan("")}, 1})),
                        doctest::Contains("finite"), Error);
-  CHECK_THROWS_WITH_AS(newton::SoftPinTerm(2, 4, pins({1, Eigen::Vector2d(0, 0), -1})),
-                       doctest::Contains("weight"), Error);
+  CHECK_THROWS_WITH_AS(newton::SoftPinTerm(2, 4, pins({1, {0, 0}, -1})), doctest::Contains("weight"), Error);
 }

@@ -2,6 +2,8 @@
 
 #include "preconditioner.hpp"
 
+#include <isostretch/core/vector.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -13,6 +15,12 @@ namespace {
 std::string scientific(double value) {
   char buffer[32];
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, 2).ptr};
+}
+
+// Without overflow or underflow on the way.
+double norm(const Eigen::Ref<const Vector>& x) {
+  const double scale = x.cwiseAbs().maxCoeff();
+  return scale > 0 && std::isfinite(scale) ? scale * (x / scale).norm() : scale;
 }
 
 // Preconditioned conjugate gradients (Hestenes & Stiefel 1952), started from zero. The recurrence for the
@@ -52,11 +60,11 @@ class PcgSolver final : public Solver {
   }
 
   SolveResult solve_one(const double* b_data, double* x_data) {
-    const Eigen::Map<const Eigen::VectorXd> b(b_data, matrix_.size);
-    Eigen::Map<Eigen::VectorXd> x(x_data, matrix_.size);
+    const Eigen::Map<const Vector> b(b_data, matrix_.size);
+    Eigen::Map<Vector> x(x_data, matrix_.size);
     x.setZero();
     SolveResult result;
-    const double b_norm = b.stableNorm();
+    const double b_norm = norm(b);
     if (b_norm == 0) return result;
     const int limit = options_.pcg_max_iterations > 0 ? options_.pcg_max_iterations : 10 * matrix_.size + 100;
     residual_ = b;
@@ -67,7 +75,7 @@ class PcgSolver final : public Solver {
       product_.resize(matrix_.size);
       matrix_.multiply(x.data(), product_.data());
       residual_ = b - product_;
-      result.relative_residual = residual_.stableNorm() / b_norm;
+      result.relative_residual = norm(residual_) / b_norm;
       if (result.relative_residual <= options_.pcg_tolerance) return result;
       if (curved)
         return stopped(result, SolveStatus::not_positive_definite, "direction of negative curvature");
@@ -79,13 +87,13 @@ class PcgSolver final : public Solver {
   }
 
   // Improves x from residual_ = b - A x until the recurrence says `target`; true: met p^T A p <= 0.
-  bool descend(Eigen::Map<Eigen::VectorXd>& x, double target, int limit, int& iterations) {
+  bool descend(Eigen::Map<Vector>& x, double target, int limit, int& iterations) {
     z_.resize(matrix_.size);
     product_.resize(matrix_.size);
     preconditioner_.apply(residual_.data(), z_.data());
     direction_ = z_;
     double rho = residual_.dot(z_);
-    while (iterations < limit && residual_.stableNorm() > target) {
+    while (iterations < limit && norm(residual_) > target) {
       ++iterations;
       matrix_.multiply(direction_.data(), product_.data());
       const double curvature = direction_.dot(product_);
@@ -112,7 +120,7 @@ class PcgSolver final : public Solver {
   Options options_;
   SymmetricMatrix matrix_;
   BlockDiagonal preconditioner_;
-  Eigen::VectorXd residual_, z_, direction_, product_;
+  Vector residual_, z_, direction_, product_;
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <isostretch/newton/minimize.hpp>
 
 #include <cstdio>
+#include <utility>
 
 using namespace isostretch;
 
@@ -41,7 +42,48 @@ static newton::Summary flatten(const char* file, mesh::Points2& uv) {
   return summary;
 }
 
+// A term of one's own: a constant force on every node, and a spring to the origin that ties the solution
+// down.
+class Pull final : public newton::Term {
+ public:
+  explicit Pull(Vector force) : force_(std::move(force)) {}
+  void add_to(assembly::PatternBuilder&) const override {}  // nodes have their diagonal blocks
+  void bind(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
+  assembly::Evaluation value(const Vector& x) override {
+    assembly::Evaluation at;
+    at.value = 0.5 * x.squaredNorm() - force_.dot(x);
+    return at;
+  }
+  assembly::Evaluation differentiate(const Vector& x, const projection::FilterOptions&, Vector& gradient,
+                                     bool) override {
+    gradient += x - force_;
+    return value(x);
+  }
+  void add_hessian(double* values) const override {
+    for (int node = 0; node < force_.size() / 2; ++node) {
+      const int* positions = pattern_->positions(pattern_->block(node, node));
+      for (int axis = 0; axis < 2; ++axis) values[positions[3 * axis]] += 1;
+    }
+  }
+
+ private:
+  Vector force_;
+  const assembly::HessianPattern* pattern_ = nullptr;
+};
+
+static void own_term() {
+  for (int nodes = 1; nodes < 40; ++nodes) {  // every alignment of memory and every remainder of a pack
+    newton::Objective objective(2, nodes);
+    const Vector force = Vector::LinSpaced(2 * nodes, -1.0, 2.0);
+    objective.add<Pull>(force);
+    Vector x = Vector::Zero(2 * nodes);
+    EXPECT(newton::minimize(objective, x).converged());
+    EXPECT((x - force).norm() < 1e-6 * force.norm());
+  }
+}
+
 int main() {
+  own_term();
   const auto cap = mesh::procedural_face(12);
   const char* file = "cap.obj";
   mesh::write_obj(file, cap);

@@ -36,13 +36,13 @@ class Objective {
   const assembly::HessianPattern& pattern();
 
   // Sums over terms. The value is +infinity, with the first offending element, as soon as one term says so.
-  Evaluation value(const Eigen::VectorXd& x);
+  Evaluation value(const Vector& x);
   // Gradient over all degrees of freedom (zero at pinned ones).
-  Evaluation differentiate(const Eigen::VectorXd& x, const projection::FilterOptions& filter,
-                           Eigen::VectorXd& gradient, bool hessian);
+  Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
+                           bool hessian);
   // Hessian of the last differentiate() over the free unknowns, into a matrix with this pattern.
   void hessian(sparse::SymmetricMatrix& matrix);
-  double max_step(const Eigen::VectorXd& x, const Eigen::VectorXd& dx, double limit) const;
+  double max_step(const Vector& x, const Vector& dx, double limit) const;
 
  private:
   void require_node(int node) const;

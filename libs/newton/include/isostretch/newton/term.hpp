@@ -2,9 +2,8 @@
 
 #include <isostretch/assembly/energy_assembler.hpp>
 #include <isostretch/assembly/hessian_pattern.hpp>
+#include <isostretch/core/vector.hpp>
 #include <isostretch/projection/filter.hpp>
-
-#include <Eigen/Core>
 
 #include <vector>
 
@@ -24,15 +23,15 @@ class Term {
   virtual void bind(const assembly::HessianPattern& pattern) = 0;
 
   // +infinity outside the domain.
-  virtual Evaluation value(const Eigen::VectorXd& x) = 0;
+  virtual Evaluation value(const Vector& x) = 0;
   // Adds to the gradient; with hessian, prepares add_hessian(). Where the value is infinite nothing is added.
-  virtual Evaluation differentiate(const Eigen::VectorXd& x, const projection::FilterOptions& filter,
-                                   Eigen::VectorXd& gradient, bool hessian) = 0;
+  virtual Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
+                                   bool hessian) = 0;
   // Adds the Hessian of the last differentiate() to matrix values with the bound pattern.
   virtual void add_hessian(double* values) const = 0;
 
   // Largest t <= limit for which x + s dx is in the domain for all 0 <= s < t.
-  virtual double max_step(const Eigen::VectorXd& x, const Eigen::VectorXd& dx, double limit) const;
+  virtual double max_step(const Vector& x, const Vector& dx, double limit) const;
 };
 
 // sum over quadrature points of weight * psi(F).
@@ -42,11 +41,11 @@ class EnergyTerm final : public Term {
 
   void add_to(assembly::PatternBuilder& builder) const override;
   void bind(const assembly::HessianPattern& pattern) override;
-  Evaluation value(const Eigen::VectorXd& x) override;
-  Evaluation differentiate(const Eigen::VectorXd& x, const projection::FilterOptions& filter,
-                           Eigen::VectorXd& gradient, bool hessian) override;
+  Evaluation value(const Vector& x) override;
+  Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
+                           bool hessian) override;
   void add_hessian(double* values) const override;
-  double max_step(const Eigen::VectorXd& x, const Eigen::VectorXd& dx, double limit) const override;
+  double max_step(const Vector& x, const Vector& dx, double limit) const override;
 
   const assembly::EnergyAssembler& assembler() const { return assembler_; }
 
@@ -56,7 +55,7 @@ class EnergyTerm final : public Term {
 
 struct SoftPin {
   int node = -1;
-  Eigen::VectorXd target;  // dim entries
+  std::vector<double> target;  // dim entries
   double weight = 1;
 };
 
@@ -69,9 +68,9 @@ class SoftPinTerm final : public Term {
 
   void add_to(assembly::PatternBuilder& builder) const override;
   void bind(const assembly::HessianPattern& pattern) override;
-  Evaluation value(const Eigen::VectorXd& x) override;
-  Evaluation differentiate(const Eigen::VectorXd& x, const projection::FilterOptions& filter,
-                           Eigen::VectorXd& gradient, bool hessian) override;
+  Evaluation value(const Vector& x) override;
+  Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
+                           bool hessian) override;
   void add_hessian(double* values) const override;
 
  private:
