@@ -1,14 +1,11 @@
-// Reading and writing OBJ, checks, Tutte embedding.
+// Checks, Tutte embedding, cutting; files are in io_bench.cpp.
 #include <isostretch/mesh/check.hpp>
 #include <isostretch/mesh/cut.hpp>
 #include <isostretch/mesh/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
 #include <isostretch/mesh/tutte.hpp>
 
 #include <benchmark/benchmark.h>
-
-#include <string>
 
 using namespace isostretch::mesh;
 
@@ -16,22 +13,6 @@ namespace {
 
 void count_triangles(benchmark::State& state, const SurfaceMesh& mesh) {
   state.counters["triangles"] = static_cast<double>(mesh.triangles.rows());
-}
-
-void parse_obj_text(benchmark::State& state) {
-  const std::string text = format_obj(procedural_face(static_cast<int>(state.range(0))));
-  SurfaceMesh mesh;
-  for (auto _ : state) mesh = parse_obj(text, "bench.obj");
-  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));
-  count_triangles(state, mesh);
-}
-
-void format_obj_text(benchmark::State& state) {
-  const SurfaceMesh mesh = procedural_face(static_cast<int>(state.range(0)));
-  std::size_t size = 0;
-  for (auto _ : state) size = format_obj(mesh).size();
-  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * size));
-  count_triangles(state, mesh);
 }
 
 template <class Work>
@@ -59,15 +40,13 @@ void tutte_of_grid(benchmark::State& state) {
 
 void cut_sphere(benchmark::State& state) {
   const SurfaceMesh mesh = icosphere(6);
-  for (auto _ : state) benchmark::DoNotOptimize(cut_to_disk_simple(mesh));
+  for (auto _ : state) benchmark::DoNotOptimize(cut_to_disks(mesh));
   count_triangles(state, mesh);
 }
 
 }  // namespace
 
 // 93 rings: 52 thousand triangles; 409 rings: a million.
-BENCHMARK(parse_obj_text)->Arg(93)->Arg(409)->Unit(benchmark::kMillisecond);
-BENCHMARK(format_obj_text)->Arg(93)->Arg(409)->Unit(benchmark::kMillisecond);
 BENCHMARK(check_face)->Arg(93)->Arg(409)->Unit(benchmark::kMillisecond);
 BENCHMARK(flat_elements_of_face)->Arg(93)->Arg(409)->Unit(benchmark::kMillisecond);
 BENCHMARK(tutte_of_face)->Arg(93)->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -1,3 +1,4 @@
+#include "measure.hpp"
 #include "require.hpp"
 #include "topology.hpp"
 
@@ -47,6 +48,22 @@ std::vector<std::vector<int>> boundary_loops(const Triangles& triangles, int ver
 
 std::vector<std::vector<int>> boundary_loops(const SurfaceMesh& mesh) {
   return boundary_loops(mesh.triangles, static_cast<int>(mesh.vertices.rows()));
+}
+
+double loop_length(const SurfaceMesh& mesh, const std::vector<int>& loop) {
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    sum += length(edge_vector(mesh.vertices, loop[i], loop[(i + 1) % loop.size()]));
+  return sum;
+}
+
+std::size_t longest_loop(const SurfaceMesh& mesh, const std::vector<std::vector<int>>& loops) {
+  if (loops.empty()) throw Error("the longest boundary loop of a surface without boundary");
+  std::size_t longest = 0;
+  double length = -1;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (const double own = loop_length(mesh, loops[i]); own > length) length = own, longest = i;
+  return longest;
 }
 
 }  // namespace isostretch::mesh

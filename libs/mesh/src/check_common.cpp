@@ -1,9 +1,11 @@
 #include "findings.hpp"
 #include "topology.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace isostretch::mesh {
 namespace {
@@ -97,6 +99,28 @@ void check_references(const Points3& vertices, const Elements& elements, Finding
                    [&] { return "vertex " + std::to_string(i) + " belongs to no element"; });
 }
 
+void check_duplicate_vertices(const Points3& vertices, Findings& findings) {
+  const auto less = [&](int a, int b) {
+    const double *p = vertices.data() + 3 * a, *q = vertices.data() + 3 * b;
+    return std::lexicographical_compare(p, p + 3, q, q + 3);
+  };
+  std::vector<int> order;
+  for (Eigen::Index i = 0; i < vertices.rows(); ++i)
+    if (vertices.row(i).allFinite()) order.push_back(static_cast<int>(i));
+  std::stable_sort(order.begin(), order.end(), less);
+  std::vector<std::pair<int, int>> duplicates;  // vertex, earlier one
+  for (std::size_t i = 1, first = 0; i < order.size(); ++i)
+    if (less(order[first], order[i]))
+      first = i;
+    else
+      duplicates.emplace_back(order[i], order[first]);
+  std::sort(duplicates.begin(), duplicates.end());
+  for (const auto& [vertex, earlier] : duplicates)
+    findings.add(Kind::duplicate_vertex, {}, {vertex, earlier}, [&, a = vertex, b = earlier] {
+      return "vertex " + std::to_string(a) + " is where vertex " + std::to_string(b) + " is";
+    });
+}
+
 }  // namespace
 
 template <class Elements>
@@ -110,6 +134,7 @@ void check_elements(const char* what, const Points3& vertices, const Elements& e
       findings.add_element(Kind::degenerate, what, elements, e, "repeats a vertex");
   check_duplicates(what, elements, findings);
   check_references(vertices, elements, findings);
+  check_duplicate_vertices(vertices, findings);
   check_components(what, vertices, elements, report, findings);
 }
 
@@ -118,10 +143,16 @@ template void check_elements(const char*, const Points3&, const Tets&, Report&, 
 
 std::string_view kind_name(Kind kind) noexcept {
   static constexpr std::string_view names[kind_count] = {
-      "index out of range",       "coordinate not finite", "degenerate element", "zero size",
-      "inverted element",         "duplicate element",     "non-manifold edge",  "non-manifold vertex",
-      "inconsistent orientation", "unreferenced vertex",   "several components"};
+      "index out of range",  "coordinate not finite", "degenerate element",       "zero size",
+      "inverted element",    "duplicate element",     "non-manifold edge",        "non-manifold face",
+      "non-manifold vertex", "not orientable",        "inconsistent orientation", "unreferenced vertex",
+      "duplicate vertex",    "several components"};
   return names[static_cast<std::size_t>(kind)];
+}
+
+bool Report::clean() const {
+  return std::all_of(findings.begin(), findings.end(),
+                     [](const Finding& finding) { return finding.kind == Kind::duplicate_vertex; });
 }
 
 const Finding* Report::find(Kind kind) const {

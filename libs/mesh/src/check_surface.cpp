@@ -1,5 +1,6 @@
 #include "findings.hpp"
 #include "measure.hpp"
+#include "orient.hpp"
 #include "topology.hpp"
 
 namespace isostretch::mesh {
@@ -28,7 +29,10 @@ std::string edge_text(const Side& side) {
   return "edge " + std::to_string(side.low) + "-" + std::to_string(side.high);
 }
 
-void check_edge(const Side* begin, const Side* end, Findings& findings) {
+void check_edge(const Side* begin, const Side* end, const OrientedPieces& pieces, Findings& findings) {
+  const auto one_sided = [&](int triangle) {
+    return pieces.one_sided[static_cast<std::size_t>(pieces.piece[static_cast<std::size_t>(triangle)])] != 0;
+  };
   if (end - begin > 2) {
     std::vector<int> triangles;
     std::string list;
@@ -39,7 +43,7 @@ void check_edge(const Side* begin, const Side* end, Findings& findings) {
     findings.add(Kind::non_manifold_edge, triangles, {begin->low, begin->high}, [&] {
       return edge_text(*begin) + " belongs to " + std::to_string(end - begin) + " triangles: " + list;
     });
-  } else if (end - begin == 2 && begin[0].reversed == begin[1].reversed) {
+  } else if (end - begin == 2 && begin[0].reversed == begin[1].reversed && !one_sided(begin->triangle)) {
     findings.add(Kind::inconsistent_orientation, {begin[0].triangle, begin[1].triangle},
                  {begin->low, begin->high}, [&] {
                    return "triangles " + std::to_string(begin[0].triangle) + " and " +
@@ -68,32 +72,13 @@ void check_fans(const Triangles& triangles, const std::vector<Side>& sides, int 
   }
 }
 
-// Connected components of the boundary edges.
-int count_boundary_loops(const std::vector<Side>& sides, int vertex_count) {
-  UnionFind sets(vertex_count);
-  std::vector<int> on_boundary;
-  for_each_edge(sides, [&](const Side* begin, const Side* end) {
-    if (end - begin != 1) return;
-    sets.unite(begin->low, begin->high);
-    on_boundary.push_back(begin->low);
-  });
-  std::vector<int> roots;
-  for (const int vertex : on_boundary) roots.push_back(sets.find(vertex));
-  std::sort(roots.begin(), roots.end());
-  return static_cast<int>(std::unique(roots.begin(), roots.end()) - roots.begin());
-}
-
-void count_topology(const SurfaceMesh& mesh, const std::vector<Side>& sides, Report& report) {
-  int edges = 0;
-  for_each_edge(sides, [&](const Side*, const Side*) { ++edges; });
-  const auto unreferenced = static_cast<int>(report.count(Kind::unreferenced_vertex));
-  report.euler_characteristic =
-      static_cast<int>(mesh.vertices.rows()) - unreferenced - edges + static_cast<int>(mesh.triangles.rows());
-  report.boundary_loops = count_boundary_loops(sides, static_cast<int>(mesh.vertices.rows()));
-  for (const Kind kind : {Kind::degenerate, Kind::duplicate_element, Kind::non_manifold_edge,
-                          Kind::non_manifold_vertex, Kind::inconsistent_orientation})
-    if (report.count(kind) > 0) return;
-  report.genus = (2 * report.components - report.euler_characteristic - report.boundary_loops) / 2;
+void check_orientable(const OrientedPieces& pieces, Findings& findings) {
+  for (std::size_t t = 0; t < pieces.one_sided.size(); ++t)
+    if (pieces.one_sided[t])
+      findings.add(Kind::not_orientable, {static_cast<int>(t)}, {}, [&] {
+        return "the surface of triangle " + std::to_string(t) +
+               " is one-sided (it contains a Moebius strip) and cannot be oriented";
+      });
 }
 
 }  // namespace
@@ -105,9 +90,12 @@ Report check(const SurfaceMesh& mesh, int max_per_kind) {
   if (report.indices_valid) {
     check_areas(mesh, findings);
     const std::vector<Side> sides = sorted_sides(mesh.triangles);
-    for_each_edge(sides, [&](const Side* begin, const Side* end) { check_edge(begin, end, findings); });
+    const OrientedPieces pieces = oriented_pieces(mesh.triangles, sides);
+    check_orientable(pieces, findings);
+    for_each_edge(sides,
+                  [&](const Side* begin, const Side* end) { check_edge(begin, end, pieces, findings); });
     check_fans(mesh.triangles, sides, static_cast<int>(mesh.vertices.rows()), findings);
-    count_topology(mesh, sides, report);
+    count_topology(mesh, sides, pieces, report);
   }
   findings.sort();
   return report;

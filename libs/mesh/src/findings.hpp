@@ -41,6 +41,13 @@ class Findings {
   int max_per_kind_;
 };
 
+struct OrientedPieces;
+struct Side;
+
+// Components and their numbers, and the sums of them.
+void count_topology(const SurfaceMesh& mesh, const std::vector<Side>& sides, const OrientedPieces& pieces,
+                    Report& report);
+
 // The checks that triangles and tetrahedra share, and the number of components.
 template <class Elements>
 void check_elements(const char* what, const Points3& vertices, const Elements& elements, Report& report,

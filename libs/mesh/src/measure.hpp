@@ -29,6 +29,13 @@ inline Vector3 cross(const Vector3& a, const Vector3& b) {
           product_difference(a[0], b[1], a[1], b[0])};
 }
 
+// Of a triangle in the plane, to about one rounding of the result.
+template <class Corners>
+double signed_area(const Points2& uv, const Corners& v) {
+  return 0.5 * product_difference(uv(v[1], 0) - uv(v[0], 0), uv(v[2], 1) - uv(v[0], 1),
+                                  uv(v[1], 1) - uv(v[0], 1), uv(v[2], 0) - uv(v[0], 0));
+}
+
 // A triangle in space seen from its longest edge: base from corner `first` to the next one, the third corner
 // above.
 struct TriangleShape {

@@ -20,7 +20,8 @@ std::string with_others(const Report& report, const Finding& finding) {
 void require_disk(const Report& report) {
   // Findings come in the order of Kind: the cause before what follows from it.
   for (const Finding& finding : report.findings)
-    if (finding.kind != Kind::zero_size) not_a_disk(with_others(report, finding));
+    if (finding.kind != Kind::zero_size && finding.kind != Kind::duplicate_vertex)
+      not_a_disk(with_others(report, finding));
   if (report.components == 0) not_a_disk("it has no triangles");
   const std::string genus = std::to_string(report.genus);
   if (report.boundary_loops == 0)

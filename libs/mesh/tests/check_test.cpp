@@ -3,6 +3,7 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/mesh/boundary.hpp>
 #include <isostretch/mesh/check.hpp>
+#include <isostretch/mesh/components.hpp>
 #include <isostretch/mesh/generators.hpp>
 
 #include <doctest/doctest.h>
@@ -111,12 +112,84 @@ TEST_CASE("check: a needle is not a zero area") {
             .count(Kind::zero_size) == 1);
 }
 
+TEST_CASE("check: one-sided surfaces") {
+  finds(glued_strip(9, 3, true, false), Kind::not_orientable,
+        "the surface of triangle 0 is one-sided (it contains a Moebius strip) and cannot be oriented");
+  const SurfaceMesh klein = glued_strip(9, 5, true, true);
+  finds(merge({square(), klein}), Kind::not_orientable, "the surface of triangle 2 is one-sided");
+  const Report report = check(klein);
+  CHECK(report.count(Kind::inconsistent_orientation) == 0);  // nothing to be turned
+  CHECK(report.genus == -1);
+  CHECK(report.euler_characteristic == 0);
+  CHECK(report.component_facts[0].why_no_genus == "it is not orientable");
+  CHECK(check(glued_strip(9, 5, false, true)).clean());
+  not_a_disk(glued_strip(9, 3, true, false), "one-sided");
+}
+
+TEST_CASE("check: facts of every component") {
+  SurfaceMesh mesh = merge({torus(6, 5), square(), tube(7, 2), bow_tie()});
+  const Report report = check(mesh);
+  REQUIRE(report.component_facts.size() == 4);
+  const int genus[] = {1, 0, 0, -1}, loops[] = {0, 1, 2, 1}, euler[] = {0, 1, 0, 1};
+  const int first[] = {0, 60, 62, 90}, vertices[] = {30, 4, 21, 5};
+  for (int i = 0; i < 4; ++i) {
+    const ComponentFacts& facts = report.component_facts[i];
+    CAPTURE(i);
+    CHECK(facts.genus == genus[i]);
+    CHECK(facts.boundary_loops == loops[i]);
+    CHECK(facts.euler_characteristic == euler[i]);
+    CHECK(facts.first_triangle == first[i]);
+    CHECK(facts.vertices == vertices[i]);
+    CHECK(facts.why_no_genus.empty() == (genus[i] >= 0));
+  }
+  const Report folded = check(surface({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 2, 1, 0}));
+  CHECK(folded.genus == -1);
+  CHECK(folded.component_facts[0].why_no_genus == "its two triangles have the same vertices");
+  CHECK(report.component_facts[1].area == doctest::Approx(1));
+  CHECK(report.component_facts[3].why_no_genus == "vertex 57 joins pieces that share no edge there");
+  CHECK(report.genus == -1);
+}
+
+TEST_CASE("check: vertices in the same place are told, and no fault") {
+  SurfaceMesh mesh = merge({square(), square()});
+  mesh.triangles.row(0) << 0, 1, 2;
+  const Report report = check(mesh);
+  CHECK(report.count(Kind::duplicate_vertex) == 4);
+  CHECK(report.find(Kind::duplicate_vertex)->text == "vertex 4 is where vertex 0 is");
+  CHECK_FALSE(report.clean());  // two components
+  mesh = square();
+  mesh.vertices.conservativeResize(5, 3);
+  mesh.vertices.row(4) = mesh.vertices.row(2);
+  mesh.triangles(1, 1) = 4;  // open along its diagonal's end
+  CHECK(check(mesh).count(Kind::duplicate_vertex) == 1);
+  CHECK(check(surface({0, 0, 0, 1, 0, 0, -0.0, 1, 0}, {0, 1, 2})).clean());
+}
+
+TEST_CASE("check: a report in words") {
+  CHECK(to_text(check(square())) ==
+        "1 component\n"
+        "  from triangle 0: 2 triangles, area 1, 1 boundary loop, Euler characteristic 1, genus 0\n"
+        "nothing wrong found\n");
+  const std::string text = to_text(check(bow_tie()));
+  CHECK(text.find("no genus: vertex 2 joins pieces") != std::string::npos);
+  CHECK(text.find("non-manifold vertex: 1\n  vertex 2 joins") != std::string::npos);
+  SurfaceMesh mesh = grid(10, 10);
+  mesh.vertices.setZero();
+  CHECK(to_text(check(mesh, 3)).find("zero size: 200\n  triangle 0 (vertices 0 1 12) has zero area\n") !=
+        std::string::npos);
+  CHECK(to_text(check(mesh, 3)).find("  and 197 more\n") != std::string::npos);
+  mesh.triangles(3, 1) = -4;
+  CHECK(to_text(check(mesh)).find("index out of range: 1\n") == 0);
+  CHECK(to_text(check(tet_bar(1, 1, 1))) == "1 component\nnothing wrong found\n");
+}
+
 TEST_CASE("check: long lists are cut, counts are not") {
   SurfaceMesh mesh = grid(10, 10);
   mesh.vertices.setZero();
   const Report report = check(mesh, 3);
   CHECK(report.count(Kind::zero_size) == 200);
-  CHECK(report.findings.size() == 3);
+  CHECK(report.count(Kind::duplicate_vertex) == 120);
+  CHECK(report.findings.size() == 6);
 }
 
 TEST_CASE("check: an empty mesh") {
@@ -174,6 +247,33 @@ TEST_CASE("check: tetrahedra") {
   mesh.vertices.conservativeResize(bar.vertices.rows() + 1, 3);
   mesh.vertices.bottomRows(1).setZero();
   CHECK(check(mesh).count(Kind::unreferenced_vertex) == 1);
+}
+
+TEST_CASE("check: faces of tetrahedra") {
+  TetMesh mesh;
+  mesh.vertices = rows<Points3>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1, 1, 1, 1});
+  mesh.tets = rows<Tets>({0, 1, 2, 3, 0, 2, 1, 4, 1, 2, 3, 5});
+  CHECK(check(mesh).clean());
+  mesh.tets.row(1) << 0, 1, 2, 4;
+  Report report = check(mesh);
+  CHECK(report.count(Kind::inverted) == 1);
+  REQUIRE(report.count(Kind::inconsistent_orientation) == 1);
+  CHECK(report.find(Kind::inconsistent_orientation)->text ==
+        "tets 0 and 1 are oriented against each other at face 0-1-2");
+  mesh.tets = rows<Tets>({0, 1, 2, 3, 0, 2, 1, 4, 0, 1, 2, 5});
+  report = check(mesh);
+  REQUIRE(report.count(Kind::non_manifold_face) == 1);
+  CHECK(report.find(Kind::non_manifold_face)->text == "face 0-1-2 belongs to 3 tets: 0, 1, 2");
+  CHECK(report.find(Kind::non_manifold_face)->elements == std::vector<int>{0, 1, 2});
+  mesh.tets = rows<Tets>({0, 1, 2, 3});
+  CHECK(check(mesh).count(Kind::unreferenced_vertex) == 2);
+}
+
+TEST_CASE("boundary loops: lengths") {
+  const SurfaceMesh mesh = without(grid(3, 3, 3, 3), {8, 9});
+  const auto loops = boundary_loops(mesh);
+  CHECK(loop_length(mesh, loops[0]) == doctest::Approx(12));
+  CHECK(loop_length(mesh, loops[1]) == doctest::Approx(4));
 }
 
 TEST_CASE("boundary loops: ordered, oriented with the triangles") {

@@ -1,4 +1,5 @@
 #include "meshes.hpp"
+#include "scratch.hpp"
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/mesh/generators.hpp>
@@ -6,12 +7,9 @@
 
 #include <doctest/doctest.h>
 
-#include <unistd.h>
-
 #include <clocale>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <random>
 #include <string>
@@ -38,24 +36,6 @@ void off_refused(const std::string& text, const char* message, const ReadOptions
 bool same_bits(const Points3& a, const Points3& b) {
   return a.rows() == b.rows() && (a.array() == b.array()).all();
 }
-
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("isostretch_mesh_io_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~Folder() { fs::remove_all(path_); }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  std::string with(const std::string& name, const std::string& text) const {
-    std::ofstream(file(name), std::ios::binary) << text;
-    return file(name);
-  }
-  bool empty() const { return fs::is_empty(path_); }
-
- private:
-  fs::path path_;
-};
 
 }  // namespace
 
@@ -152,7 +132,7 @@ TEST_CASE("OBJ: faults are named by line") {
 }
 
 TEST_CASE("OBJ: files that cannot be read") {
-  const Folder folder;
+  const Scratch folder;
   CHECK_THROWS_WITH_AS(read_obj(folder.file("none.obj")),
                        doctest::Contains("none.obj: cannot read: No such file"), Error);
   CHECK_THROWS_WITH_AS(read_obj(fs::path(folder.file("x")).parent_path().string()),
@@ -162,7 +142,7 @@ TEST_CASE("OBJ: files that cannot be read") {
 }
 
 TEST_CASE("OBJ: writing and reading gives the same bits") {
-  const Folder folder;
+  const Scratch folder;
   SurfaceMesh mesh = procedural_face(12);
   std::mt19937_64 random(1);
   for (Eigen::Index i = 0; i < mesh.vertices.size(); ++i)  // every exponent a file can meet
@@ -187,7 +167,7 @@ TEST_CASE("OBJ: writing and reading gives the same bits") {
 }
 
 TEST_CASE("OBJ: what cannot be written is refused and leaves nothing behind") {
-  const Folder folder;
+  const Scratch folder;
   const std::string path = folder.file("out.obj");
   SurfaceMesh mesh = square();
   mesh.vertices(2, 1) = std::numeric_limits<double>::quiet_NaN();
@@ -247,12 +227,4 @@ TEST_CASE("OFF: faults are named by line") {
   ReadOptions options;
   options.triangulate_polygons = true;
   CHECK(parse_off(head + "4 0 1 3 2\n", "m.off", options).triangles == rows<Triangles>({0, 1, 3, 0, 3, 2}));
-}
-
-TEST_CASE("reading by extension") {
-  const Folder folder;
-  CHECK(read_surface(folder.with("a.OBJ", three + "f 1 2 3")).triangles.rows() == 1);
-  CHECK(read_surface(folder.with("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")).triangles.rows() ==
-        1);
-  CHECK_THROWS_WITH_AS(read_surface("a.stl"), doctest::Contains("a.stl: cannot tell the format"), Error);
 }

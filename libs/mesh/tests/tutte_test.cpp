@@ -143,55 +143,67 @@ TEST_CASE("Tutte: scanned disks have no flips and area 1") {
   }
 }
 
-TEST_CASE("cut: a sphere becomes a disk with one loop, and Tutte works on it") {
-  for (int level = 1; level < 5; ++level) {
-    SurfaceMesh sphere = icosphere(level);
-    sphere.vertices.col(0) *= 3;
-    const CutResult cut = cut_to_disk_simple(sphere);
-    const Report report = check(cut.mesh);
-    CHECK(report.clean());
-    require_disk(report);
-    const auto edges = cut.path.size() - 1;
-    CHECK(edges >= 3);
-    CHECK(boundary_loops(cut.mesh).front().size() == 2 * edges);
-    CHECK(cut.mesh.vertices.rows() == sphere.vertices.rows() + static_cast<Eigen::Index>(edges) - 1);
-    REQUIRE(cut.original_vertex.size() == static_cast<std::size_t>(cut.mesh.vertices.rows()));
-    for (Eigen::Index t = 0; t < sphere.triangles.rows(); ++t)
-      for (int c = 0; c < 3; ++c)
-        CHECK(cut.original_vertex[static_cast<std::size_t>(cut.mesh.triangles(t, c))] ==
-              sphere.triangles(t, c));
-    for (std::size_t v = 0; v < cut.original_vertex.size(); ++v)
-      CHECK(cut.mesh.vertices.row(static_cast<Eigen::Index>(v)) ==
-            sphere.vertices.row(cut.original_vertex[v]));
-    check_embedding(cut.mesh);
+TEST_CASE("spheres that were cut open embed, the smallest too") {
+  for (const SurfaceMesh& sphere : {tetrahedron(), icosphere(0), icosphere(1), icosphere(3)})
+    check_embedding(cut_to_disks(sphere).mesh);
+}
+
+TEST_CASE("on a square: sides straight to the bit, corners where they are asked for") {
+  const SurfaceMesh mesh = disc(4);
+  const std::vector<int> loop = boundary_loops(mesh).front();
+  const auto n = static_cast<int>(loop.size());
+  TutteOptions options;
+  options.boundary = BoundaryShape::square;
+  SUBCASE("chosen") {}
+  SUBCASE("given") {
+    for (const int i : {1, n / 3, n / 2, n - 2}) options.corners.push_back(loop[static_cast<std::size_t>(i)]);
   }
+  const TutteResult result = tutte_embedding(mesh, options);
+  REQUIRE(result.status == TutteStatus::ok);
+  int corners = 0;
+  for (const int v : loop) {
+    const bool left_right = std::abs(result.uv(v, 0)) == 0.5, up_down = std::abs(result.uv(v, 1)) == 0.5;
+    CHECK((left_right || up_down));
+    corners += left_right && up_down;
+  }
+  CHECK(corners == 4);
+  if (!options.corners.empty()) CHECK(result.uv.row(options.corners[0]) == Eigen::RowVector2d(-0.5, -0.5));
+  CHECK(orientation(result.uv, mesh.triangles).total_area == doctest::Approx(1));
 }
 
-TEST_CASE("cut: uv of the input is kept") {
-  SurfaceMesh sphere = icosphere(2);
-  sphere.uv = sphere.vertices.leftCols<2>();
-  sphere.uv_triangles = sphere.triangles;
-  const CutResult cut = cut_to_disk_simple(sphere);
-  CHECK(cut.mesh.uv == sphere.uv);
-  CHECK(cut.mesh.uv_triangles == sphere.triangles);
+TEST_CASE("corners that make no square are refused") {
+  const SurfaceMesh mesh = disc(4);
+  const std::vector<int> loop = boundary_loops(mesh).front();
+  const auto embed = [&](std::vector<int> corners) {
+    TutteOptions options;
+    options.boundary = BoundaryShape::square;
+    options.corners = std::move(corners);
+    tutte_embedding(mesh, options);
+  };
+  CHECK_THROWS_WITH_AS(embed({loop[0], loop[1]}), "2 corners given: a square has four", Error);
+  CHECK_THROWS_WITH_AS(embed({0, loop[1], loop[2], loop[3]}), "corner 0 is not on the boundary", Error);
+  CHECK_THROWS_WITH_AS(embed({loop[0], loop[5], loop[3], loop[7]}), doctest::Contains("comes too late"), Error);
+  const SurfaceMesh triangle = surface({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2});
+  TutteOptions square;
+  square.boundary = BoundaryShape::square;
+  CHECK_THROWS_WITH_AS(tutte_embedding(triangle, square), doctest::Contains("too few for a square"), Error);
 }
 
-TEST_CASE("cut: the coarsest sphere that can be cut, by number of edges") {
-  const CutResult cut = cut_to_disk_simple(icosphere(0));
-  CHECK(cut.path.size() == 4);
-  check_embedding(cut.mesh);
-}
-
-TEST_CASE("cut: anything but a closed surface of genus 0 is refused with the reason") {
-  CHECK_THROWS_WITH_AS(cut_to_disk_simple(disc(2)), doctest::Contains("not closed, it has 1 boundary loop"),
-                       Error);
-  CHECK_THROWS_WITH_AS(cut_to_disk_simple(torus(6, 5)), doctest::Contains("it has genus 1"), Error);
-  CHECK_THROWS_WITH_AS(cut_to_disk_simple(tetrahedron()), doctest::Contains("too coarse"), Error);
-  CHECK_THROWS_WITH_AS(cut_to_disk_simple(SurfaceMesh{}), doctest::Contains("no triangles"), Error);
-  SurfaceMesh two = tetrahedron();
-  two.vertices.conservativeResize(8, 3);
-  two.vertices.bottomRows(4) = two.vertices.topRows(4).array() + 5;
-  two.triangles.conservativeResize(8, 3);
-  two.triangles.bottomRows(4) = two.triangles.topRows(4).array() + 4;
-  CHECK_THROWS_WITH_AS(cut_to_disk_simple(two), doctest::Contains("2 components"), Error);
+TEST_CASE("holes are closed by fans and nothing else changes") {
+  SurfaceMesh mesh = disc(6);
+  CHECK(fill_holes(mesh).triangles == mesh.triangles);
+  // Without the fan around the middle: a hole of six sides.
+  std::vector<int> around_middle;
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
+    if ((mesh.triangles.row(t).array() == 0).any()) around_middle.push_back(static_cast<int>(t));
+  const auto sides = std::ssize(around_middle);
+  mesh.triangles = Triangles(mesh.triangles.bottomRows(mesh.triangles.rows() - sides));
+  REQUIRE(around_middle.back() == sides - 1);
+  REQUIRE(boundary_loops(mesh).size() == 2);
+  const SurfaceMesh filled = fill_holes(mesh);
+  CHECK(filled.triangles.topRows(mesh.triangles.rows()) == mesh.triangles);
+  CHECK(filled.triangles.rows() == mesh.triangles.rows() + sides);
+  CHECK(filled.vertices.rows() == mesh.vertices.rows() + 1);
+  CHECK(boundary_loops(filled).size() == 1);
+  CHECK(check(filled).count(Kind::inconsistent_orientation) == 0);
 }

@@ -8,7 +8,7 @@
 #include <isostretch/mesh/tutte.hpp>
 
 int main() {
-  auto disk = isostretch::mesh::cut_to_disk_simple(isostretch::mesh::icosphere(2)).mesh;
+  auto disk = isostretch::mesh::cut_to_disks(isostretch::mesh::icosphere(2)).mesh;
   const auto tutte = isostretch::mesh::tutte_embedding(disk);
   EXPECT(tutte.status == isostretch::mesh::TutteStatus::ok);
   EXPECT(isostretch::mesh::count_flipped(tutte.uv, disk.triangles) == 0);

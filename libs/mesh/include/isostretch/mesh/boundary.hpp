@@ -13,4 +13,10 @@ namespace isostretch::mesh {
 std::vector<std::vector<int>> boundary_loops(const SurfaceMesh& mesh);
 std::vector<std::vector<int>> boundary_loops(const Triangles& triangles, int vertex_count);
 
+// Sum of the lengths of a loop's edges, the one back to its first vertex included.
+double loop_length(const SurfaceMesh& mesh, const std::vector<int>& loop);
+
+// Which of the loops is the longest; there must be one.
+std::size_t longest_loop(const SurfaceMesh& mesh, const std::vector<std::vector<int>>& loops);
+
 }  // namespace isostretch::mesh

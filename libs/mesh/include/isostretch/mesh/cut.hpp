@@ -1,21 +1,73 @@
 #pragma once
 
+#include <isostretch/mesh/seams.hpp>
 #include <isostretch/mesh/types.hpp>
 
 #include <vector>
 
 namespace isostretch::mesh {
 
-struct CutResult {
-  SurfaceMesh mesh;                  // the same triangles in the same order; uv is kept
-  std::vector<int> original_vertex;  // vertex of the cut mesh -> vertex of the input
-  std::vector<int> path;             // vertices of the cut, in the input's numbering
+// Boundary loops besides the longest: cut to it, or kept as holes of the chart.
+enum class Holes {
+  keep_short,  // those shorter than hole_fraction of the longest are kept
+  cut_all,     // charts are disks
+  keep_all
 };
 
-// Opens a closed surface of genus 0 along one shortest edge path between two far-apart vertices (the farthest
-// from the farthest of vertex 0) of at least three edges. Inner vertices of the path are doubled, copies come
-// last; the result is a disk. Throws Error with the reason for anything but a closed connected manifold of
-// genus 0, and for one so coarse that no two vertices are three edges apart.
-CutResult cut_to_disk_simple(const SurfaceMesh& mesh);
+struct CutOptions {
+  std::vector<Edge> seams = {};  // edges to cut in any case; charts they make are cut further where needed
+  Holes holes = Holes::keep_short;
+  double hole_fraction = 0.25;
+  // Of closed surfaces of genus 0: the cut is a tree that ends in up to this many far-apart vertices (at
+  // least 2). From the third on only those are taken whose distance from the tree is more than
+  // terminal_distance times the square root of the area.
+  int max_terminals = 4;
+  double terminal_distance = 0.35;
+};
+
+// A piece of the surface that the cut leaves connected.
+struct Chart {
+  int component = 0;  // of the input, as component_of_triangles counts
+  int triangles = 0;
+  double area = 0;
+  int genus = 0;           // before the cut, with the given seams open: its handles were cut
+  int loops_before = 0;    // boundary loops, the same
+  int loops = 1;           // now: 1 is a disk, more are holes that were kept
+  double seam_length = 0;  // an edge with the chart on both sides counts once
+};
+
+struct Cut {
+  SurfaceMesh mesh;                  // the same triangles in the same order; uv is kept
+  std::vector<int> original_vertex;  // vertex of the cut mesh -> vertex of the input
+  std::vector<int> chart;            // of every triangle
+  std::vector<Chart> charts;         // in the order of their first triangles
+  std::vector<Edge> seams;           // edges cut open, in the input's numbering, ascending
+  // The same as polylines, see seam_paths.
+  std::vector<std::vector<int>> paths() const { return seam_paths(seams); }
+};
+
+// Cuts an oriented manifold surface, of any genus and with any number of components and boundary loops, until
+// every component is a disk (or a disk with the holes that are kept). Vertices on the cut are copied; a
+// vertex keeps its number and its copies come last. Nothing is cut where it is not needed.
+//
+// Handles: the system of loops of Erickson & Whittlesey ("Greedy optimal homotopy and homology generators",
+// 2005), from the best of several base points, then path by path replaced by the shortest that still opens
+// the surface. Boundary loops: shortest paths. Closed surfaces of genus 0: a tree of shortest paths between
+// the vertices farthest apart.
+//
+// Where to cut is decided by geometry alone: numbering, scale and place of the mesh do not matter. A kept
+// hole that leaves no way for the cut around it is cut after all, as Chart::loops then says. A seam edge that
+// is on the boundary, or alone inside the surface, opens nothing and is left out.
+//
+// Throws Error naming the element for a mesh that is not manifold, not orientable or not consistently
+// oriented, has duplicate or degenerate triangles or coordinates that are not finite, and for a seam that is
+// no edge.
+Cut cut_to_disks(const SurfaceMesh& mesh, const CutOptions& options = {});
+
+// Lengthens the cut by the shortest path from a vertex of the cut mesh to the boundary of its chart, which
+// stays a disk. Vertices keep their numbers and copies come last. Returns for every vertex of the new cut
+// mesh the vertex it was before, by which values at vertices are carried over. Throws Error when the vertex
+// is on the boundary already or in no triangle.
+std::vector<int> extend_cut(Cut& cut, int vertex);
 
 }  // namespace isostretch::mesh

@@ -13,31 +13,137 @@ struct ReadOptions {
   bool triangulate_polygons = false;
   // OBJ: take texture coordinates. Either every face has them or none; false ignores them.
   bool read_uv = true;
+  // STL, which knows corners only: equal corners become one vertex. Otherwise every triangle has three of its
+  // own.
+  bool weld = true;
+  // Welding takes corners for equal up to this distance from the first of them. 0: the same numbers.
+  double weld_tolerance = 0;
 };
 
-// Every fault throws Error "path:line: what": numbers that do not parse or are not finite, indices out of
-// range, faces with fewer than three vertices, a file that ends early; a file without faces, or one that
-// cannot be opened. Reading does not depend on the locale. What is read is not checked further: see
-// check.hpp.
+// Every fault throws Error, "path:line: what" in text and "path: byte N: what" in binary: numbers that do not
+// parse or are not finite, indices out of range, faces with fewer than three vertices, a file that ends
+// early, one without any of the elements asked for, or one that cannot be opened. Memory is taken as the size
+// of the file justifies, whatever counts it claims. Reading does not depend on the locale. What is read is
+// not checked further: see check.hpp. Vertices keep the order of the file, those that no element uses
+// included.
+//
+// `parse` functions read from memory; `name` stands for the path in messages.
+
+// By the extension, in any case: .obj .off .ply .stl .msh .mesh .vtk .vtu.
+SurfaceMesh read_surface(const std::string& path, const ReadOptions& options = {});
+// .msh .mesh .vtk .vtu.
+TetMesh read_tets(const std::string& path, const ReadOptions& options = {});
+
+enum class Encoding { text, binary };
+enum class MshVersion { v2_2, v4_0, v4_1 };
+
+struct WriteOptions {
+  Encoding encoding = Encoding::binary;  // PLY, MSH, VTK, VTU; other formats have one encoding
+  MshVersion msh_version = MshVersion::v4_1;
+  bool vtu_base64 = false;  // binary VTU: base64 in every array instead of raw bytes at the end of the file
+};
+
+// Writers keep every bit: shortest decimal numbers that read back the same, or binary doubles. The file
+// appears complete or not at all. They throw Error when it cannot be written, when the mesh has no elements,
+// or naming the vertex or element with a coordinate that is not finite or an index out of range. `format`
+// functions return the contents.
+
+// By the extension: .obj .off .ply .msh .mesh .vtk .vtu .glb.
+void write_surface(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options = {});
+// .msh .mesh .vtk .vtu.
+void write_tets(const std::string& path, const TetMesh& mesh, const WriteOptions& options = {});
 
 // Wavefront OBJ: v, vt and f, with negative indices, line continuations and CRLF. Normals, groups, materials,
 // colours after a vertex and every other statement are skipped.
 SurfaceMesh read_obj(const std::string& path, const ReadOptions& options = {});
-// The same from memory; `name` stands for the path in messages.
 SurfaceMesh parse_obj(std::string_view text, const std::string& name, const ReadOptions& options = {});
-
-// Object File Format in text, with comments; colours, normals and texture coordinates of vertices and faces
-// are skipped.
-SurfaceMesh read_off(const std::string& path, const ReadOptions& options = {});
-SurfaceMesh parse_off(std::string_view text, const std::string& name, const ReadOptions& options = {});
-
-// By the extension: .obj or .off in any case.
-SurfaceMesh read_surface(const std::string& path, const ReadOptions& options = {});
-
-// Shortest decimal numbers that read back to the same bits. The file appears complete or not at all. Throws
-// Error when it cannot be written, or naming the vertex or triangle when the mesh has a coordinate that is
-// not finite or an index out of range.
 void write_obj(const std::string& path, const SurfaceMesh& mesh);
 std::string format_obj(const SurfaceMesh& mesh);
+
+// Object File Format in text, with comments; colours, normals and texture coordinates of vertices and faces
+// are skipped. Only OBJ and glTF hold texture coordinates; all other writers leave them out.
+SurfaceMesh read_off(const std::string& path, const ReadOptions& options = {});
+SurfaceMesh parse_off(std::string_view text, const std::string& name, const ReadOptions& options = {});
+void write_off(const std::string& path, const SurfaceMesh& mesh);
+std::string format_off(const SurfaceMesh& mesh);
+
+// Stanford PLY in text and in either byte order: x, y, z of vertices, and faces from the list vertex_indices
+// or vertex_index, in any types; other elements and properties are skipped. Written with doubles, binary in
+// little endian.
+SurfaceMesh read_ply(const std::string& path, const ReadOptions& options = {});
+SurfaceMesh parse_ply(std::string_view contents, const std::string& name, const ReadOptions& options = {});
+void write_ply(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options = {});
+std::string format_ply(const SurfaceMesh& mesh, const WriteOptions& options = {});
+
+// STL, binary if the length is what its number of triangles makes, and text otherwise; normals, colours and
+// names are skipped. Reading only.
+SurfaceMesh read_stl(const std::string& path, const ReadOptions& options = {});
+SurfaceMesh parse_stl(std::string_view contents, const std::string& name, const ReadOptions& options = {});
+
+// The formats below hold triangles and tetrahedra. Reading a surface takes triangles, and quadrangles and
+// polygons where the format has them as ReadOptions says; reading tetrahedra takes these. All other elements
+// (points, lines, hexahedra, prisms, pyramids, everything of higher order) are skipped, and so are groups,
+// entities, partitions and data.
+
+// Gmsh MSH, versions 2.0 to 2.2, 4.0 and 4.1, text and binary of either byte order. Node tags may have gaps;
+// vertices are in the order of the file.
+SurfaceMesh read_msh_surface(const std::string& path, const ReadOptions& options = {});
+SurfaceMesh parse_msh_surface(std::string_view contents, const std::string& name,
+                              const ReadOptions& options = {});
+TetMesh read_msh_tets(const std::string& path, const ReadOptions& options = {});
+TetMesh parse_msh_tets(std::string_view contents, const std::string& name, const ReadOptions& options = {});
+void write_msh(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options = {});
+void write_msh(const std::string& path, const TetMesh& mesh, const WriteOptions& options = {});
+std::string format_msh(const SurfaceMesh& mesh, const WriteOptions& options = {});
+std::string format_msh(const TetMesh& mesh, const WriteOptions& options = {});
+
+// MEDIT .mesh in text; dimension 2 gives z = 0.
+SurfaceMesh read_medit_surface(const std::string& path, const ReadOptions& options = {});
+SurfaceMesh parse_medit_surface(std::string_view text, const std::string& name,
+                                const ReadOptions& options = {});
+TetMesh read_medit_tets(const std::string& path, const ReadOptions& options = {});
+TetMesh parse_medit_tets(std::string_view text, const std::string& name, const ReadOptions& options = {});
+void write_medit(const std::string& path, const SurfaceMesh& mesh);
+void write_medit(const std::string& path, const TetMesh& mesh);
+std::string format_medit(const SurfaceMesh& mesh);
+std::string format_medit(const TetMesh& mesh);
+
+// Legacy VTK, text and binary: POLYDATA (polygons and triangle strips) and UNSTRUCTURED_GRID of versions 2 to
+// 5. Written as version 3.0, surfaces as POLYDATA, tetrahedra as UNSTRUCTURED_GRID.
+SurfaceMesh read_vtk_surface(const std::string& path, const ReadOptions& options = {});
+SurfaceMesh parse_vtk_surface(std::string_view contents, const std::string& name,
+                              const ReadOptions& options = {});
+TetMesh read_vtk_tets(const std::string& path, const ReadOptions& options = {});
+TetMesh parse_vtk_tets(std::string_view contents, const std::string& name, const ReadOptions& options = {});
+void write_vtk(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options = {});
+void write_vtk(const std::string& path, const TetMesh& mesh, const WriteOptions& options = {});
+std::string format_vtk(const SurfaceMesh& mesh, const WriteOptions& options = {});
+std::string format_vtk(const TetMesh& mesh, const WriteOptions& options = {});
+
+// VTK's XML for unstructured grids: text, base64 and raw appended data; pieces are joined. Compressed arrays
+// are refused.
+SurfaceMesh read_vtu_surface(const std::string& path, const ReadOptions& options = {});
+SurfaceMesh parse_vtu_surface(std::string_view contents, const std::string& name,
+                              const ReadOptions& options = {});
+TetMesh read_vtu_tets(const std::string& path, const ReadOptions& options = {});
+TetMesh parse_vtu_tets(std::string_view contents, const std::string& name, const ReadOptions& options = {});
+void write_vtu(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options = {});
+void write_vtu(const std::string& path, const TetMesh& mesh, const WriteOptions& options = {});
+std::string format_vtu(const SurfaceMesh& mesh, const WriteOptions& options = {});
+std::string format_vtu(const TetMesh& mesh, const WriteOptions& options = {});
+
+struct GlbOptions {
+  // Area-weighted normals of the vertices of the mesh, smooth across texture seams; where the triangles of a
+  // vertex leave no direction, (0, 0, 1).
+  bool normals = true;
+  // The bytes of a PNG file to embed as base colour; needs texture coordinates. Empty: a plain grey surface.
+  std::string base_color_png = {};
+};
+
+// Binary glTF 2.0, one mesh. A vertex is doubled where its texture coordinates differ, v runs downwards as
+// glTF wants it, and vertices that no triangle uses are left out. Numbers are floats: a coordinate beyond
+// their range is refused. Writing only.
+void write_glb(const std::string& path, const SurfaceMesh& mesh, const GlbOptions& options = {});
+std::string format_glb(const SurfaceMesh& mesh, const GlbOptions& options = {});
 
 }  // namespace isostretch::mesh

@@ -1,0 +1,37 @@
+#pragma once
+
+// What the fuzzers of all readers share. An Error is the right answer to a bad file; everything else that is
+// not a mesh with valid indices and finite coordinates is a finding.
+#include <isostretch/core/error.hpp>
+#include <isostretch/mesh/check.hpp>
+#include <isostretch/mesh/io.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace isostretch::mesh::fuzz {
+
+// The last byte chooses the options too: seeds stay plain files.
+inline ReadOptions options_from(std::string_view contents) {
+  const unsigned last = contents.empty() ? 0 : static_cast<unsigned char>(contents.back());
+  ReadOptions options;
+  options.triangulate_polygons = (last & 1u) != 0;
+  options.read_uv = (last & 2u) != 0;
+  options.weld = (last & 4u) == 0;
+  options.weld_tolerance = (last & 8u) != 0 ? 1e-3 : 0;
+  return options;
+}
+
+template <class Parse>
+void read(const std::uint8_t* data, std::size_t size, const Parse& parse) {
+  const std::string_view contents(reinterpret_cast<const char*>(data), size);
+  try {
+    const Report report = check(parse(contents, "input", options_from(contents)));
+    if (!report.indices_valid || report.count(Kind::not_finite) > 0) __builtin_trap();
+  } catch (const Error&) {
+    return;
+  }
+}
+
+}  // namespace isostretch::mesh::fuzz

@@ -1,0 +1,74 @@
+#include "base64.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace isostretch::mesh {
+namespace {
+
+constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::uint8_t invalid = 255, blank = 254, padding = 253;
+
+constexpr std::array<std::uint8_t, 256> make_values() {
+  std::array<std::uint8_t, 256> values = {};
+  for (std::uint8_t& value : values) value = invalid;
+  for (std::size_t i = 0; i < alphabet.size(); ++i)
+    values[static_cast<std::size_t>(alphabet[i])] = static_cast<std::uint8_t>(i);
+  for (const char c : {' ', '\t', '\r', '\n'}) values[static_cast<std::size_t>(c)] = blank;
+  values[static_cast<std::size_t>('=')] = padding;
+  return values;
+}
+constexpr auto values = make_values();
+
+// Four characters make up to three bytes.
+struct Group {
+  std::uint32_t bits = 0;
+  int characters = 0;
+  int padded = 0;
+
+  // false: data after padding, or padding before two characters of data.
+  bool take(std::uint8_t value) {
+    if (value == padding ? characters < 2 : padded > 0) return false;
+    bits = bits << 6 | (value == padding ? 0u : value);
+    padded += value == padding ? 1 : 0;
+    ++characters;
+    return true;
+  }
+
+  void append_to(std::string& bytes) const {
+    for (int i = 0; i < 3 - padded; ++i) bytes += static_cast<char>(bits >> (16 - 8 * i) & 255u);
+  }
+};
+
+}  // namespace
+
+Decoded decode_base64(std::string_view text) {
+  Decoded decoded;
+  decoded.bytes.reserve(text.size() / 4 * 3);
+  Group group;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::uint8_t value = values[static_cast<unsigned char>(text[i])];
+    if (value == blank) continue;
+    if (value == invalid || !group.take(value)) {
+      decoded.fault = i;
+      return decoded;
+    }
+    if (group.characters < 4) continue;
+    group.append_to(decoded.bytes);
+    group = {};
+  }
+  if (group.characters > 0) decoded.fault = text.size();
+  return decoded;
+}
+
+void append_base64(std::string& text, std::string_view bytes) {
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? alphabet[bits >> (18 - 6 * k) & 63u] : '=';
+  }
+}
+
+}  // namespace isostretch::mesh

@@ -1,0 +1,87 @@
+#include "source.hpp"
+
+#include <isostretch/core/error.hpp>
+#include <isostretch/mesh/io.hpp>
+
+#include <array>
+#include <filesystem>
+
+namespace isostretch::mesh {
+namespace {
+
+template <class Function>
+struct Entry {
+  const char* extension;
+  Function function;
+};
+
+// What handles the extension of the path; an Error with the list of those that there are.
+template <class Function, std::size_t Size>
+Function find(const std::array<Entry<Function>, Size>& formats, const std::string& path) {
+  const std::string extension = lower(std::filesystem::path(path).extension().string());
+  std::string known;
+  for (const auto& format : formats) {
+    if (extension == format.extension) return format.function;
+    known += std::string(known.empty() ? "" : ", ") + format.extension;
+  }
+  throw Error(path + ": cannot tell the format: the name ends in none of " + known);
+}
+
+using SurfaceReader = SurfaceMesh (*)(const std::string&, const ReadOptions&);
+using TetReader = TetMesh (*)(const std::string&, const ReadOptions&);
+using SurfaceWriter = void (*)(const std::string&, const SurfaceMesh&, const WriteOptions&);
+using TetWriter = void (*)(const std::string&, const TetMesh&, const WriteOptions&);
+
+constexpr std::array<Entry<SurfaceReader>, 8> surface_readers = {{{".obj", read_obj},
+                                                                  {".off", read_off},
+                                                                  {".ply", read_ply},
+                                                                  {".stl", read_stl},
+                                                                  {".msh", read_msh_surface},
+                                                                  {".mesh", read_medit_surface},
+                                                                  {".vtk", read_vtk_surface},
+                                                                  {".vtu", read_vtu_surface}}};
+constexpr std::array<Entry<TetReader>, 4> tet_readers = {
+    {{".msh", read_msh_tets}, {".mesh", read_medit_tets}, {".vtk", read_vtk_tets}, {".vtu", read_vtu_tets}}};
+
+// Those that have one encoding.
+template <class Mesh, void (*write)(const std::string&, const Mesh&)>
+void ignoring_options(const std::string& path, const Mesh& mesh, const WriteOptions&) {
+  write(path, mesh);
+}
+void glb_of_surface(const std::string& path, const SurfaceMesh& mesh, const WriteOptions&) {
+  write_glb(path, mesh);
+}
+
+constexpr std::array<Entry<SurfaceWriter>, 8> surface_writers = {
+    {{".obj", ignoring_options<SurfaceMesh, write_obj>},
+     {".off", ignoring_options<SurfaceMesh, write_off>},
+     {".ply", write_ply},
+     {".msh", write_msh},
+     {".mesh", ignoring_options<SurfaceMesh, write_medit>},
+     {".vtk", write_vtk},
+     {".vtu", write_vtu},
+     {".glb", glb_of_surface}}};
+constexpr std::array<Entry<TetWriter>, 4> tet_writers = {{{".msh", write_msh},
+                                                          {".mesh", ignoring_options<TetMesh, write_medit>},
+                                                          {".vtk", write_vtk},
+                                                          {".vtu", write_vtu}}};
+
+}  // namespace
+
+SurfaceMesh read_surface(const std::string& path, const ReadOptions& options) {
+  return find(surface_readers, path)(path, options);
+}
+
+TetMesh read_tets(const std::string& path, const ReadOptions& options) {
+  return find(tet_readers, path)(path, options);
+}
+
+void write_surface(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options) {
+  find(surface_writers, path)(path, mesh, options);
+}
+
+void write_tets(const std::string& path, const TetMesh& mesh, const WriteOptions& options) {
+  find(tet_writers, path)(path, mesh, options);
+}
+
+}  // namespace isostretch::mesh

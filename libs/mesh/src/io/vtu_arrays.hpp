@@ -1,0 +1,79 @@
+#pragma once
+
+#include "place.hpp"
+#include "scalar.hpp"
+#include "source.hpp"
+#include "xml.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isostretch::mesh {
+
+// What the outermost tag of a VTK XML file says of numbers.
+struct VtuCoding {
+  bool big_endian = false;
+  bool has_byte_order = false;
+  bool compressed = false;
+  Scalar header = Scalar::uint32;  // the number of bytes in front of an array
+};
+
+// A DataArray as its tag describes it, not read yet.
+struct VtuArray {
+  bool present = false;
+  std::size_t start = 0;  // of the tag
+  std::string_view type;
+  std::string_view format;
+  std::string_view offset;
+  std::string_view components;
+  std::size_t text = 0;  // behind the tag
+};
+
+VtuArray describe_array(const XmlTag& tag);
+
+// Reads arrays of one file. Failures name the line of the tag, or the byte of raw data.
+class VtuArrays {
+ public:
+  VtuArrays(std::string_view contents, const std::string& name) : contents_(contents), name_(name) {}
+
+  void set_coding(const VtuCoding& coding) { coding_ = coding; }
+  // Where raw data begin, behind the underscore.
+  void set_appended(std::size_t start) { appended_ = start; }
+
+  // Three coordinates each.
+  std::vector<double> points(const VtuArray& array, std::int64_t count);
+  std::vector<std::int64_t> integers(const VtuArray& array, std::int64_t count, const char* what);
+
+  Place place(std::size_t position) const { return {contents_, name_, position, false}; }
+
+ private:
+  struct Bytes {
+    std::string_view bytes;
+    Place place;
+  };
+
+  Scalar type_of(const VtuArray& array) const;
+  std::string_view text_of(const VtuArray& array) const;
+  // Of a text array, and nothing but these.
+  Source text_source(const VtuArray& array) const;
+  void require_end(Source& source) const;
+  // `decoded` keeps what was in base64.
+  Bytes bytes_of(const VtuArray& array, Scalar type, std::int64_t count, std::string& decoded);
+  Bytes decoded_bytes(const VtuArray& array, std::string& decoded) const;
+  Bytes appended_bytes(const VtuArray& array) const;
+  void require_readable(const VtuArray& array) const;
+  // Arrays that share their bytes would make a small file a large mesh.
+  void require_apart(const Bytes& bytes);
+  // Takes the header off the front; `exact`: nothing may follow the array.
+  void take_header(Bytes& bytes, bool exact) const;
+  bool swap() const { return coding_.big_endian != (std::endian::native == std::endian::big); }
+
+  std::string_view contents_;
+  const std::string& name_;
+  VtuCoding coding_;
+  std::size_t appended_ = 0;
+  std::size_t appended_used_ = 0;  // bytes, of all arrays so far
+};
+
+}  // namespace isostretch::mesh

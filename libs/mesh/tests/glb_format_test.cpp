@@ -1,0 +1,177 @@
+#include "meshes.hpp"
+#include "scratch.hpp"
+
+#include <isostretch/core/error.hpp>
+#include <isostretch/mesh/generators.hpp>
+#include <isostretch/mesh/io.hpp>
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+using namespace isostretch;
+using namespace isostretch::mesh;
+using namespace isostretch::mesh::test;
+using nlohmann::json;
+
+namespace {
+
+const std::string png = std::string("\x89PNG\r\n\x1a\n") + "not really a picture";
+
+template <class T>
+T at(const std::string& bytes, std::size_t offset) {
+  T value;
+  REQUIRE(offset + sizeof value <= bytes.size());
+  std::memcpy(&value, bytes.data() + offset, sizeof value);
+  return value;
+}
+
+// A file taken apart, with what the specification says of lengths and alignment checked on the way.
+struct Glb {
+  json document;
+  std::string data;
+
+  explicit Glb(const std::string& file) {
+    CHECK(file.substr(0, 4) == "glTF");
+    CHECK(at<std::uint32_t>(file, 4) == 2);
+    CHECK(at<std::uint32_t>(file, 8) == file.size());
+    const std::size_t json_length = at<std::uint32_t>(file, 12);
+    CHECK(file.substr(16, 4) == "JSON");
+    CHECK(json_length % 4 == 0);
+    const std::size_t data_length = at<std::uint32_t>(file, 20 + json_length);
+    CHECK(file.substr(24 + json_length, 4) == std::string("BIN\0", 4));
+    CHECK(data_length % 4 == 0);
+    CHECK(28 + json_length + data_length == file.size());
+    document = json::parse(file.substr(20, json_length));
+    data = file.substr(28 + json_length);
+    CHECK(document["asset"]["version"] == "2.0");
+    CHECK(document["buffers"][0]["byteLength"] == data.size());
+  }
+
+  std::string view(const json& index) const {
+    const json& view = document["bufferViews"].at(index.get<std::size_t>());
+    const std::size_t offset = view["byteOffset"], length = view["byteLength"];
+    CHECK(offset % 4 == 0);
+    CHECK(offset + length <= data.size());
+    return data.substr(offset, length);
+  }
+
+  // Numbers of an accessor, row by row.
+  template <class T>
+  std::vector<T> numbers(const json& index) const {
+    const json& accessor = document["accessors"].at(index.get<std::size_t>());
+    const std::string type = accessor["type"];
+    const std::size_t columns = type == "SCALAR" ? 1 : type == "VEC2" ? 2 : 3;
+    CHECK(accessor["componentType"] == (std::is_same_v<T, float> ? 5126 : 5125));
+    const std::string bytes = view(accessor["bufferView"]);
+    CHECK(bytes.size() == accessor["count"].get<std::size_t>() * columns * sizeof(T));
+    std::vector<T> values(bytes.size() / sizeof(T));
+    std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+  }
+
+  const json& primitive() const { return document["meshes"][0]["primitives"][0]; }
+  std::vector<float> attribute(const char* name) const {
+    return numbers<float>(primitive()["attributes"].at(name));
+  }
+  std::vector<std::uint32_t> indices() const { return numbers<std::uint32_t>(primitive()["indices"]); }
+};
+
+// A square with a seam along its diagonal.
+SurfaceMesh textured() {
+  SurfaceMesh mesh = square();
+  mesh.uv = rows<Points2>({0, 0, 1, 0, 1, 1, 0.25, 0.5, 0, 1, 0.5, 0.5});
+  mesh.uv_triangles = rows<Triangles>({0, 1, 2, 3, 5, 4});
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("glTF: a plain surface has positions, normals and indices") {
+  const Glb glb(format_glb(square()));
+  CHECK(glb.indices() == std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3});
+  CHECK(glb.attribute("POSITION") == std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
+  CHECK(glb.attribute("NORMAL") == std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
+  CHECK_FALSE(glb.primitive()["attributes"].contains("TEXCOORD_0"));
+  CHECK_FALSE(glb.document.contains("images"));
+  CHECK_FALSE(Glb(format_glb(square(), {.normals = false})).primitive()["attributes"].contains("NORMAL"));
+}
+
+TEST_CASE("glTF: vertices are doubled along seams only, v runs downwards") {
+  const Glb glb(format_glb(textured()));
+  CHECK(glb.indices() == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
+  CHECK(glb.attribute("TEXCOORD_0") == std::vector<float>{0, 1, 1, 1, 1, 0, 0.25, 0.5, 0.5, 0.5, 0, 0});
+  CHECK(glb.attribute("POSITION") ==
+        std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0});
+  SurfaceMesh smooth = textured();
+  smooth.uv_triangles = smooth.triangles;
+  CHECK(Glb(format_glb(smooth)).attribute("POSITION").size() == 12);
+}
+
+TEST_CASE("glTF: a picture is embedded as it is") {
+  const Glb glb(format_glb(textured(), {.base_color_png = png}));
+  const json& image = glb.document["images"][0];
+  CHECK(image["mimeType"] == "image/png");
+  CHECK(glb.view(image["bufferView"]) == png);
+  const json& material = glb.document["materials"][0]["pbrMetallicRoughness"];
+  CHECK(glb.document["textures"][material["baseColorTexture"]["index"].get<std::size_t>()]["source"] == 0);
+}
+
+TEST_CASE("glTF: limits of positions are those of the floats, normals are unit vectors") {
+  SurfaceMesh mesh = procedural_face(20);
+  mesh.vertices.col(0) *= 1e30;
+  mesh.vertices.col(1) *= 1e-30;
+  const Glb glb(format_glb(mesh));
+  const json& accessor =
+      glb.document["accessors"][glb.primitive()["attributes"]["POSITION"].get<std::size_t>()];
+  const std::vector<float> positions = glb.attribute("POSITION");
+  for (std::size_t c = 0; c < 3; ++c) {
+    float low = positions[c], high = positions[c];
+    for (std::size_t i = c; i < positions.size(); i += 3) {
+      low = std::min(low, positions[i]);
+      high = std::max(high, positions[i]);
+    }
+    CHECK(accessor["min"][c].get<double>() == static_cast<double>(low));
+    CHECK(accessor["max"][c].get<double>() == static_cast<double>(high));
+  }
+  const std::vector<float> normals = glb.attribute("NORMAL");
+  for (std::size_t i = 0; i < normals.size(); i += 3)
+    CHECK(std::hypot(normals[i], normals[i + 1], normals[i + 2]) == doctest::Approx(1).epsilon(1e-6));
+}
+
+TEST_CASE("glTF: vertices without a direction or without a triangle") {
+  SurfaceMesh mesh = surface({0, 0, 0, 9, 9, 9, 1, 0, 0, 2, 0, 0}, {0, 2, 3});
+  const Glb glb(format_glb(mesh));
+  CHECK(glb.attribute("POSITION") == std::vector<float>{0, 0, 0, 1, 0, 0, 2, 0, 0});
+  CHECK(glb.attribute("NORMAL") == std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1});
+  for (const double size : {1e-300, 1e-30, 1e30}) {
+    mesh = square();
+    mesh.vertices *= size;
+    CHECK(Glb(format_glb(mesh)).attribute("NORMAL") ==
+          std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
+  }
+}
+
+TEST_CASE("glTF: what cannot be written is refused and leaves nothing behind") {
+  const Scratch folder;
+  const std::string path = folder.file("a.glb");
+  SurfaceMesh mesh = square();
+  mesh.vertices(3, 1) = -1e39;
+  CHECK_THROWS_WITH_AS(write_glb(path, mesh), "vertex 3 has a coordinate that is too large for glTF", Error);
+  mesh = textured();
+  mesh.uv(5, 0) = 1e39;
+  CHECK_THROWS_WITH_AS(write_glb(path, mesh), "uv point 5 has a coordinate that is too large for glTF",
+                       Error);
+  mesh.uv(5, 0) = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH_AS(write_glb(path, mesh), "uv point 5 has a coordinate that is not finite", Error);
+  CHECK_THROWS_WITH_AS(write_glb(path, square(), {.base_color_png = png}),
+                       "a base colour texture needs texture coordinates, the mesh has none", Error);
+  CHECK_THROWS_WITH_AS(write_glb(path, textured(), {.base_color_png = "GIF89a"}),
+                       "the base colour is not a PNG file", Error);
+  CHECK(folder.empty());
+  write_glb(path, textured());
+  CHECK(std::filesystem::file_size(path) == format_glb(textured()).size());
+}
