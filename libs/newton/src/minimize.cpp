@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -113,14 +114,26 @@ class Minimizer {
     if (options_.gradient_tolerance > 0 && norm <= options_.gradient_tolerance)
       return !end(Status::converged_gradient, "|gradient|_inf is within gradient_tolerance");
     const double scale = typical_stiffness_ * bounding_box_diagonal(x_, objective_.dim());
-    if (options_.scaled_gradient_tolerance > 0 && norm <= options_.scaled_gradient_tolerance * scale)
-      return !end(Status::converged_scaled_gradient, "|gradient|_inf is within scaled_gradient_tolerance");
+    confirm_scaled_ =
+        options_.scaled_gradient_tolerance > 0 && norm <= options_.scaled_gradient_tolerance * scale;
+    if (confirm_scaled_ && promises_little(last_decrement_)) return !end_scaled();
     if (norm == 0) return !end(Status::converged_gradient, "the gradient is zero");
     if (summary_.iterations >= options_.max_iterations)
       return !end(Status::stopped_iterations, "max_iterations reached");
     if (options_.time_limit > 0 && timer_.seconds() >= options_.time_limit)
       return !end(Status::stopped_time, "time_limit reached");
     return false;
+  }
+
+  // One median stiffness says little where elements differ by many orders of magnitude: a gradient small beside
+  // it must not promise a gain of energy either.
+  bool promises_little(double decrement) const {
+    constexpr double share = 1e-8, negligible = 1e-12;
+    return decrement <= share * std::max(std::abs(summary_.energy), negligible * std::abs(summary_.initial_energy));
+  }
+
+  bool end_scaled() {
+    return end(Status::converged_scaled_gradient, "|gradient|_inf is within scaled_gradient_tolerance");
   }
 
   // Factorises the Hessian at x_, filtering more or shifting until it succeeds.
@@ -178,6 +191,8 @@ class Minimizer {
     row.filter_strength = filter_.filter == projection::Filter::none ? 0.0 : filter_.strength;
     row.points_filtered = points_filtered_;
     if (!(slope < 0)) return end(Status::failed_line_search, "the Newton direction does not descend");
+    last_decrement_ = row.decrement;
+    if (confirm_scaled_ && promises_little(row.decrement)) return end_scaled();
     if (options_.decrement_tolerance > 0 && row.decrement <= options_.decrement_tolerance)
       return end(Status::converged_decrement, "the Newton decrement is within decrement_tolerance");
     LineSearchResult search;
@@ -248,6 +263,8 @@ class Minimizer {
   std::unique_ptr<sparse::Solver> solver_;
   Vector gradient_, direction_, trial_, previous_;
   double typical_stiffness_ = 0;
+  double last_decrement_ = std::numeric_limits<double>::infinity();  // of the step that led to x_
+  bool confirm_scaled_ = false;  // the gradient has passed the scaled test, the decrement has yet to
   double last_relative_shift_ = 0;
   std::size_t points_filtered_ = 0;
 };

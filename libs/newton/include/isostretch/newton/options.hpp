@@ -40,7 +40,8 @@ struct Options {
   double gradient_tolerance = 0;
   //   |gradient|_inf <= scaled_gradient_tolerance * median(diag Hessian) * diagonal of the bounding box of x:
   //   does not change with the units of length and energy. 1e-6 leaves positions accurate to a few digits
-  //   more than that.
+  //   more than that. The Newton decrement must besides be below 1e-8 of the energy, without which stiff
+  //   elements among soft ones could pass for convergence.
   double scaled_gradient_tolerance = 1e-6;
   //   1/2 gradient . H^-1 gradient <= decrement_tolerance, in units of the energy: what a full step promises
   //   to gain.

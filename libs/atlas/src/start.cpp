@@ -1,0 +1,100 @@
+#include "affine_fit.hpp"
+
+#include <isostretch/atlas/start.hpp>
+
+#include <isostretch/mesh/boundary.hpp>
+#include <isostretch/mesh/orientation.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isostretch::atlas {
+namespace {
+
+std::vector<int> boundary_vertices(const mesh::SurfaceMesh& chart) {
+  std::vector<int> all;
+  for (const auto& loop : mesh::boundary_loops(chart)) all.insert(all.end(), loop.begin(), loop.end());
+  return all;
+}
+
+// Energies this many times their minimum are a long way down for a minimisation.
+constexpr double far_up = 1e6;
+
+bool far_off(const mesh::ElementArrays& rest, const StartResult& start) {
+  return !(stretch_energy(rest, start.uv) < far_up * 4 * mesh::total_weight(rest));
+}
+
+// Tutte's embedding; its uv is empty when the linear solver failed.
+StartResult embed(const mesh::SurfaceMesh& disk, const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest,
+                  const mesh::TutteOptions& options) {
+  mesh::TutteResult embedding = mesh::tutte_embedding(disk, options);
+  StartResult start;
+  start.message = embedding.message;
+  start.reweightings = embedding.reweightings;
+  if (embedding.status == mesh::TutteStatus::failed) return start;
+  start.uv = embedding.uv.topRows(chart.vertices.rows());
+  const mesh::OrientationReport orientation = mesh::orientation(start.uv, chart.triangles);
+  start.uv *= std::sqrt(mesh::total_weight(rest) / orientation.total_area);
+  start.flipped = orientation.flipped;
+  start.method = embedding.reweightings > 0 || options.weights != mesh::EdgeWeights::uniform
+                     ? StartMethod::weighted
+                     : StartMethod::uniform;
+  return start;
+}
+
+// Fewer flips, then less energy.
+bool better(const mesh::ElementArrays& rest, const StartResult& a, const StartResult& b) {
+  if (a.uv.rows() == 0 || b.uv.rows() == 0) return b.uv.rows() == 0;
+  if (a.flipped.size() != b.flipped.size()) return a.flipped.size() < b.flipped.size();
+  return stretch_energy(rest, a.uv) < stretch_energy(rest, b.uv);
+}
+
+// The start of an ordinary chart stays Tutte's embedding with uniform weights, as others have it; one that is far off
+// is improved by what is cheap.
+StartResult best_embedding(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest,
+                           const StartOptions& options) {
+  const mesh::SurfaceMesh disk = mesh::fill_holes(chart);
+  mesh::TutteOptions how = options.tutte;
+  StartResult best = embed(disk, chart, rest, how);
+  if (best.uv.rows() > 0 && !far_off(rest, best)) return best;
+  how.weights = mesh::EdgeWeights::cotangent;
+  StartResult other = embed(disk, chart, rest, how);
+  if (!options.keep_boundary)
+    for (StartResult* start : {&best, &other})
+      if (start->uv.rows() > 0 && start->flipped.empty()) fit_affinely(rest, start->uv);
+  return better(rest, other, best) ? other : best;
+}
+
+void untangle_start(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest, const StartOptions& options,
+                    StartResult& start) {
+  Vector x = Eigen::Map<const Vector>(start.uv.data(), start.uv.size());
+  UntangleOptions how = options.untangle;
+  how.min_determinant = std::max(how.min_determinant, 1e-3);
+  const std::vector<int> pinned = options.keep_boundary ? boundary_vertices(chart) : std::vector<int>();
+  start.untangling = untangle(assembly::elements_from(rest), x, how, pinned, options.keep_going);
+  start.method = StartMethod::untangled;
+  start.uv = Eigen::Map<const mesh::Points2>(x.data(), start.uv.rows(), 2);
+  start.flipped = mesh::orientation(start.uv, chart.triangles).flipped;
+}
+
+}  // namespace
+
+std::string_view start_method_name(StartMethod method) noexcept {
+  switch (method) {
+    case StartMethod::uniform: return "uniform";
+    case StartMethod::weighted: return "weighted";
+    case StartMethod::untangled: return "untangled";
+  }
+  return "";
+}
+
+StartResult flip_free_start(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest,
+                            const StartOptions& options) {
+  StartResult start = best_embedding(chart, rest, options);
+  if (start.uv.rows() == 0) return start;
+  if (far_off(rest, start)) untangle_start(chart, rest, options, start);
+  if (start.flipped.empty()) start.message.clear();
+  return start;
+}
+
+}  // namespace isostretch::atlas
