@@ -6,18 +6,21 @@
 
 namespace isostretch::app {
 
-std::string trace_csv(const newton::Summary& summary) {
-  std::string text =
+std::string trace_csv(const newton::Summary& summary, const std::string& name, const std::vector<int>& column) {
+  std::string text = std::string() +
       "iteration,seconds,energy,gradient_inf_norm,step,decrement,filter_strength,points_filtered,"
-      "factorizations,evaluations\n";
-  for (const newton::Iteration& row : summary.trace) {
+      "factorizations,evaluations," +
+      name + "\n";
+  for (std::size_t i = 0; i < summary.trace.size(); ++i) {
+    const newton::Iteration& row = summary.trace[i];
     text.append(std::to_string(row.iteration));
     for (const double value :
          {row.seconds, row.energy, row.gradient_inf_norm, row.step, row.decrement, row.filter_strength})
       text.append(1, ',').append(exact_text(value));
     text.append(1, ',').append(std::to_string(row.points_filtered));
     text.append(1, ',').append(std::to_string(row.factorizations));
-    text.append(1, ',').append(std::to_string(row.evaluations)).append(1, '\n');
+    text.append(1, ',').append(std::to_string(row.evaluations));
+    text.append(1, ',').append(std::to_string(column.at(i))).append(1, '\n');
   }
   return text;
 }

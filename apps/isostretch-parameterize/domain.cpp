@@ -4,63 +4,77 @@
 #include "common/terminal.hpp"
 
 #include <isostretch/mesh/check.hpp>
-#include <isostretch/mesh/cut.hpp>
+#include <isostretch/mesh/components.hpp>
 #include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh/seams.hpp>
 
 #include <map>
-#include <numeric>
+#include <sstream>
 #include <string>
 #include <utility>
 
 namespace isostretch::app::parameterize {
 namespace {
 
-bool closed_sphere(const mesh::Report& report) {
-  return report.indices_valid && report.components == 1 && report.boundary_loops == 0 && report.genus == 0;
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-void keep_closed_or_cut(Domain& domain, const mesh::Report& report, bool cut) {
-  if (!cut || !closed_sphere(report)) {
-    mesh::require_disk(report);
-    domain.open = domain.input;
-    domain.original_vertex.resize(static_cast<std::size_t>(domain.input.vertices.rows()));
-    std::iota(domain.original_vertex.begin(), domain.original_vertex.end(), 0);
-    return;
-  }
-  mesh::CutResult result = mesh::cut_to_disk_simple(domain.input);
-  domain.cut_edges = static_cast<int>(result.path.size()) - 1;
-  domain.open = std::move(result.mesh);
-  domain.original_vertex = std::move(result.original_vertex);
-  notice("the surface is closed: cut open along " + std::to_string(domain.cut_edges) + " edges from vertex " +
-         std::to_string(result.path.front()) + " to vertex " + std::to_string(result.path.back()));
+void repair_input(Domain& domain) {
+  // Vertices of no triangle do no harm, and without them numbers would change.
+  domain.repairs = mesh::repair(domain.input, {.split_vertices = true, .remove_unreferenced = false});
+  std::istringstream lines(to_text(domain.repairs));
+  for (std::string line; std::getline(lines, line);) notice("repair: " + line);
+}
+
+mesh::CutOptions cut_options(const Domain& domain, const Options& options) {
+  mesh::CutOptions cut;
+  cut.holes = options.holes;
+  cut.max_terminals = options.cut_tips;
+  if (domain.seams_from_input) cut.seams = mesh::seams_of_uv(domain.input);
+  return cut;
+}
+
+void explain_cut(const Domain& domain) {
+  if (domain.cut.seams.empty()) return;
+  std::string text = domain.seams_from_input ? "cut along the input's seams" : "cut open";
+  text += ": " + counted(domain.cut.seams.size(), "edge") + ", " + counted(domain.cut.charts.size(), "chart");
+  notice(text);
+}
+
+void cut_open(Domain& domain, const mesh::Report& report, const Options& options) {
+  if (!options.cut) mesh::require_disk(report);
+  domain.cut = mesh::cut_to_disks(domain.input, cut_options(domain, options));
+  explain_cut(domain);
 }
 
 // The layout of the input has a vertex for every pair of a vertex and a uv point that meet at a corner: where
-// two triangles use different uv points at a vertex, the surface is cut there.
-void open_along_seams(Domain& domain) {
+// two triangles use different uv points at a vertex, the surface is cut there. Nothing has to be a disk.
+void open_along_input_uv(Domain& domain) {
   const mesh::SurfaceMesh& input = domain.input;
   if (!input.has_uv()) throw Error("--initial input: the model has no texture coordinates");
+  // Numbers in the order of the input's vertices, so that a model without seams keeps its numbering.
   std::map<std::pair<int, int>, int> numbers;
-  domain.open.triangles.resize(input.triangles.rows(), 3);
-  // A model without seams keeps its numbering: vertices first come in the order of the input.
   for (Eigen::Index t = 0; t < input.triangles.rows(); ++t)
     for (int c = 0; c < 3; ++c)
       numbers.emplace(std::pair(input.triangles(t, c), input.uv_triangles(t, c)), 0);
   int next = 0;
   for (auto& [pair, number] : numbers) number = next++;
-  domain.open.vertices.resize(next, 3);
+  mesh::Cut& cut = domain.cut;
+  cut.mesh.vertices.resize(next, 3);
+  cut.mesh.triangles.resize(input.triangles.rows(), 3);
   domain.input_uv.resize(next, 2);
   for (const auto& [pair, number] : numbers) {
-    domain.open.vertices.row(number) = input.vertices.row(pair.first);
+    cut.mesh.vertices.row(number) = input.vertices.row(pair.first);
     domain.input_uv.row(number) = input.uv.row(pair.second);
-    domain.original_vertex.push_back(pair.first);
+    cut.original_vertex.push_back(pair.first);
   }
   for (Eigen::Index t = 0; t < input.triangles.rows(); ++t)
     for (int c = 0; c < 3; ++c)
-      domain.open.triangles(t, c) = numbers.at({input.triangles(t, c), input.uv_triangles(t, c)});
-  const auto seams = domain.open.vertices.rows() - input.vertices.rows();
-  if (seams > 0)
-    notice("the input's uv has seams: " + std::to_string(seams) + " more uv points than vertices");
+      cut.mesh.triangles(t, c) = numbers.at({input.triangles(t, c), input.uv_triangles(t, c)});
+  cut.chart = mesh::component_of_triangles(cut.mesh.triangles, next);
+  cut.seams = mesh::seams_of_uv(input);
+  explain_cut(domain);
 }
 
 }  // namespace
@@ -68,16 +82,20 @@ void open_along_seams(Domain& domain) {
 Domain read_domain(const Options& options) {
   return failing_with(ExitCode::input, [&] {
     Domain domain;
-    const bool with_uv = options.initial == Initial::input;
+    const bool with_uv = options.initial == Initial::input || options.input_seams;
     domain.input = mesh::read_surface(options.model.string(),
                                       {.triangulate_polygons = options.triangulate, .read_uv = with_uv});
-    const mesh::Report report = mesh::check(domain.input, 1);
-    domain.boundary_loops = report.boundary_loops;
     naming_file(options.model, [&] {
-      if (with_uv)
-        open_along_seams(domain);
+      if (options.repair) repair_input(domain);
+      const mesh::Report report = mesh::check(domain.input, 1);
+      domain.components = report.components;
+      domain.boundary_loops = report.boundary_loops;
+      domain.genus = report.genus;
+      domain.seams_from_input = domain.input.has_uv();
+      if (options.initial == Initial::input)
+        open_along_input_uv(domain);
       else
-        keep_closed_or_cut(domain, report, options.cut);
+        cut_open(domain, report, options);
     });
     return domain;
   });
@@ -91,11 +109,12 @@ int open_vertex(const Domain& domain, int input_vertex, const char* option) {
   if (input_vertex >= domain.input.vertices.rows())
     fail("does not exist: the model has " + std::to_string(domain.input.vertices.rows()));
   int found = -1, copies = 0;
-  for (std::size_t v = 0; v < domain.original_vertex.size(); ++v)
-    if (domain.original_vertex[v] == input_vertex) found = static_cast<int>(v), ++copies;
+  const std::vector<int>& original = domain.cut.original_vertex;
+  for (std::size_t v = 0; v < original.size(); ++v)
+    if (original[v] == input_vertex) found = static_cast<int>(v), ++copies;
   if (copies == 0) fail("belongs to no triangle");
   if (copies > 1)
-    fail("lies on a cut and has " + std::to_string(copies) + " copies in the layout; pin another");
+    fail("lies on a seam and has " + std::to_string(copies) + " copies in the layout; pin another");
   return found;
 }
 

@@ -13,22 +13,69 @@ namespace isostretch::app::parameterize {
 
 void CommandLine::declare(CLI::App& cli) {
   declare_files(cli);
+  declare_cut(cli);
   declare_energy(cli);
+  declare_layout(cli);
   declare_pins(cli);
   declare_solve(cli);
 }
 
 void CommandLine::declare_files(CLI::App& cli) {
-  cli.add_option("model", model_, "Surface to flatten: OBJ or OFF, a disk or a closed surface of genus 0")
+  cli.add_option("model", model_, "Surface to flatten: OBJ, OFF, PLY, STL, MSH, MESH, VTK or VTU")
       ->required()
       ->type_name("FILE");
-  cli.add_option("-o,--out", out_, "Folder for <model>_uv.obj, summary.json, trace.csv, layout.png")
+  cli.add_option("-o,--out", out_, "Folder for <model>_uv.obj, summary.json, trace.csv, report.html and pictures")
       ->required()
       ->type_name("FOLDER");
   cli.add_flag("--triangulate", triangulate_, "Cut faces of more than three corners into fans");
-  cli.add_flag("--no-cut", no_cut_, "Refuse a closed surface instead of cutting it open");
+  cli.add_flag("--repair", repair_,
+               "Orient triangles alike, drop duplicate and degenerate ones, split vertices where sheets touch");
   cli.add_flag("--keep-normalized", keep_normalized_, "Write uv for total area 1, not in the model's units");
-  cli.add_flag("--no-picture", no_picture_, "Do not draw layout.png");
+  cli.add_flag("--no-picture", no_picture_, "Do not draw pictures, and write no report.html, which shows them");
+  cli.add_flag("--glb", glb_, "Also write <model>_uv.glb with a checkerboard as texture");
+}
+
+void CommandLine::declare_cut(CLI::App& cli) {
+  cli.add_flag("--no-cut", no_cut_, "Refuse what is not a disk instead of cutting it open");
+  cli.add_option("--seams", seams_, "Cut where the input's uv is cut, or ignore it: input, ignore")
+      ->check(CLI::IsMember({"input", "ignore"}))
+      ->type_name("WHICH")
+      ->capture_default_str();
+  cli.add_option("--holes", holes_, "Boundary loops inside to keep as holes, not cut to: short, none, all")
+      ->check(CLI::IsMember({"short", "none", "all"}))
+      ->type_name("WHICH")
+      ->capture_default_str();
+  cli.add_option("--cut-tips", cut_tips_, "Ends of the cut that opens a closed surface of genus 0, at most")
+      ->check(whole_number_between(2, 1000))
+      ->type_name("N")
+      ->capture_default_str();
+  cli.add_option("--max-distortion", max_distortion_,
+                 "Cut further until no length is stretched or shrunk by more than this factor")
+      ->check(CLI::Range(1.0, 1e12))
+      ->type_name("X");
+  cli.add_option("--max-cuts", max_cuts_, "Cuts that --max-distortion may add")
+      ->check(whole_number_between(0, 1'000'000))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void CommandLine::declare_layout(CLI::App& cli) {
+  cli.add_option("--boundary", boundary_,
+                 "free; fixed where the start has it; held on a circle or square: free, fixed, circle, square")
+      ->check(CLI::IsMember({"free", "fixed", "circle", "square"}))
+      ->type_name("SHAPE")
+      ->capture_default_str();
+  cli.add_option("--corners", corners_, "Four boundary vertices for the corners of the square, in order")
+      ->type_name("A,B,C,D");
+  cli.add_option("--pack", pack_,
+                 "square: charts side by side in the unit square; none: where they are; auto: square for several")
+      ->check(CLI::IsMember({"auto", "square", "none"}))
+      ->type_name("HOW")
+      ->capture_default_str();
+  cli.add_option("--margin", margin_, "Space around packed charts, as a fraction of the square")
+      ->check(CLI::Range(0.0, 0.25))
+      ->type_name("X")
+      ->capture_default_str();
 }
 
 void CommandLine::declare_energy(CLI::App& cli) {
@@ -110,6 +157,36 @@ newton::Options solve_options(const std::string& projection, const std::optional
   return options;
 }
 
+template <class Choice>
+Choice chosen(const std::string& name, const std::map<std::string, Choice>& choices) {
+  return choices.at(name);  // CLI11 has checked it
+}
+
+std::vector<int> vertex_list(const std::string& text, const char* option) {
+  std::vector<int> vertices;
+  if (text.empty()) return vertices;
+  for (const std::string& word : split(text, ',')) {
+    const auto vertex = whole_number(word);
+    if (!vertex || *vertex < 0) throw Error(std::string(option) + ": '" + word + "' is not a vertex number");
+    vertices.push_back(*vertex);
+  }
+  return vertices;
+}
+
+void require_consistent(const Options& options) {
+  if (!options.corners.empty() && options.boundary != Boundary::square)
+    throw Error("--corners: only with --boundary square");
+  if (!options.corners.empty() && options.corners.size() != 4)
+    throw Error("--corners: " + std::to_string(options.corners.size()) + " vertices given, a square has four");
+  const bool shaped = options.boundary == Boundary::circle || options.boundary == Boundary::square;
+  if (shaped && options.initial == Initial::input)
+    throw Error("--boundary circle, square: the start puts the boundary there, which --initial input does not");
+  if (options.max_distortion > 0 && (options.initial == Initial::input || !options.cut))
+    throw Error("--max-distortion: cuts, which --initial input and --no-cut do not allow");
+  if (options.max_distortion > 0 && options.boundary != Boundary::free)
+    throw Error("--max-distortion: cuts, and needs --boundary free");
+}
+
 }  // namespace
 
 Options CommandLine::options() const {
@@ -119,9 +196,25 @@ Options CommandLine::options() const {
     options.out = out_;
     options.initial = initial_ == "input" ? Initial::input : Initial::tutte;
     options.triangulate = triangulate_;
+    options.repair = repair_;
     options.cut = !no_cut_;
+    options.input_seams = seams_ == "input";
+    options.holes = chosen<mesh::Holes>(
+        holes_, {{"short", mesh::Holes::keep_short}, {"none", mesh::Holes::cut_all}, {"all", mesh::Holes::keep_all}});
+    options.cut_tips = cut_tips_;
+    options.max_distortion = max_distortion_;
+    options.max_cuts = max_cuts_;
+    options.boundary = chosen<Boundary>(boundary_, {{"free", Boundary::free},
+                                                    {"fixed", Boundary::fixed},
+                                                    {"circle", Boundary::circle},
+                                                    {"square", Boundary::square}});
+    options.corners = vertex_list(corners_, "--corners");
+    options.pack =
+        chosen<Pack>(pack_, {{"auto", Pack::automatic}, {"square", Pack::square}, {"none", Pack::none}});
+    options.margin = margin_;
     options.keep_normalized = keep_normalized_;
     options.picture = !no_picture_;
+    options.glb = glb_;
     options.pins = parse_pins(pins_);
     options.soft_pins = parse_soft_pins(soft_pins_);
     options.newton = solve_options(projection_, gradient_tolerance_, solver_, ordering_);
@@ -129,6 +222,7 @@ Options CommandLine::options() const {
     options.newton.time_limit = time_limit_;
     options.newton.max_expansion = max_expansion_;
     if (options.out.empty()) throw Error("--out: the name of the folder is empty");
+    require_consistent(options);
     return options;
   });
 }

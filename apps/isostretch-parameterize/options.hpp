@@ -1,6 +1,7 @@
 #pragma once
 
 #include <isostretch/energies/any_energy.hpp>
+#include <isostretch/mesh/cut.hpp>
 #include <isostretch/newton/options.hpp>
 
 #include <CLI/CLI.hpp>
@@ -28,18 +29,38 @@ struct SoftPin {
 };
 
 enum class Initial { tutte, input };
+enum class Boundary { free, fixed, circle, square };
+enum class Pack { automatic, square, none };
 
 struct Options {
   std::filesystem::path model;
   std::filesystem::path out;
   Initial initial = Initial::tutte;
   bool triangulate = false;
+  bool repair = false;
   bool cut = true;
+  bool input_seams = true;  // cut where the input's uv does
+  mesh::Holes holes = mesh::Holes::keep_short;
+  int cut_tips = mesh::CutOptions().max_terminals;
+  double max_distortion = 0;  // 0: no bound
+  int max_cuts = 100;         // for that bound
+  Boundary boundary = Boundary::free;
+  std::vector<int> corners;  // of the square, vertices of the input
+  Pack pack = Pack::automatic;
+  double margin = 1.0 / 256;
   bool keep_normalized = false;
   bool picture = true;
+  bool glb = false;
   std::vector<Pin> pins;
   std::vector<SoftPin> soft_pins;
   newton::Options newton;
+
+  bool has_pins() const { return !pins.empty() || !soft_pins.empty(); }
+  // Whether so many charts are moved into the unit square.
+  bool packs(std::size_t charts) const {
+    if (pack != Pack::automatic) return pack == Pack::square;
+    return charts > 1 && initial != Initial::input;
+  }
 };
 
 // The options of this app: declared to CLI11, then read with everything that CLI11 cannot check itself.
@@ -54,6 +75,8 @@ class CommandLine {
  private:
   void declare_energy(CLI::App& cli);
   void declare_pins(CLI::App& cli);
+  void declare_cut(CLI::App& cli);
+  void declare_layout(CLI::App& cli);
   void declare_solve(CLI::App& cli);
   void declare_files(CLI::App& cli);
 
@@ -64,7 +87,11 @@ class CommandLine {
   double time_limit_ = 0;
   double max_expansion_ = newton::Options().max_expansion;
   int max_iterations_ = newton::Options{}.max_iterations;
-  bool triangulate_ = false, no_cut_ = false, keep_normalized_ = false, no_picture_ = false;
+  std::string holes_ = "short", seams_ = "input", boundary_ = "free", corners_, pack_ = "auto";
+  int cut_tips_ = Options().cut_tips, max_cuts_ = Options().max_cuts;
+  double max_distortion_ = 0, margin_ = Options().margin;
+  bool triangulate_ = false, repair_ = false, no_cut_ = false, keep_normalized_ = false, no_picture_ = false,
+       glb_ = false;
 };
 
 }  // namespace isostretch::app::parameterize

@@ -17,19 +17,20 @@ auto timed(double& seconds, Work&& work) {
   return work();
 }
 
-void write(OutputFolder& folder, const Domain& domain, const Start& start, const energies::AnyEnergy& energy,
-           const Solution& solution, const Options& options) {
+void write(OutputFolder& folder, const Result& result) {
+  const Options& options = result.options;
   const std::string stem = options.model.stem().string();
-  folder.add(stem + "_uv.obj", mesh::format_obj(textured(domain, solution)));
-  folder.add("trace.csv", trace_csv(solution.summary));
-  if (options.picture) folder.add("layout.png", draw(domain, start, energy, solution, options));
+  folder.add(stem + "_uv.obj", mesh::format_obj(textured(result)));
+  folder.add("trace.csv", trace_text(result));
+  if (options.picture) folder.add("layout.png", draw_layout(result));
 }
 
-ExitCode conclude(const Solution& solution, const OutputFolder& folder, const CommonOptions& common) {
-  print((common.verbose ? solution.summary.full_report() : solution.summary.brief_report() + "\n"));
+ExitCode conclude(const Result& result, const OutputFolder& folder, const CommonOptions& common) {
+  const newton::Summary& summary = result.solution.summary;
+  print(common.verbose ? summary.full_report() : summary.brief_report() + "\n");
   for (const auto& path : folder.paths()) print("wrote " + path.string() + "\n");
-  const ExitCode code = exit_code(solution);
-  if (code != ExitCode::success) report_error(verdict(solution));
+  const ExitCode code = exit_code(result);
+  if (code != ExitCode::success) report_error(verdict(result));
   return code;
 }
 
@@ -39,15 +40,17 @@ ExitCode parameterize(const Options& options, const energies::AnyEnergy& energy,
                       const CommonOptions& common) {
   const Timer timer;
   PhaseSeconds seconds;
-  const Domain domain = timed(seconds.read, [&] { return read_domain(options); });
-  const Start start = timed(seconds.initial, [&] { return make_start(domain, energy, options); });
+  Domain domain = timed(seconds.read, [&] { return read_domain(options); });
+  Start start = timed(seconds.initial, [&] { return make_start(domain, energy, options); });
   OutputFolder folder(options.out);
   const Solution solution = solve(domain, start, energy, options);
-  timed(seconds.write, [&] { write(folder, domain, start, energy, solution, options); });
+  const Layout layout = lay_out(domain, start, solution, options);
+  const Result result{options, energy, domain, start, solution, layout};
+  timed(seconds.write, [&] { write(folder, result); });
   seconds.total = timer.seconds();
-  folder.add_json("summary.json", summary_json(domain, start, energy, solution, options, seconds));
+  folder.add_json("summary.json", summary_json(result, seconds));
   folder.commit();
-  return conclude(solution, folder, common);
+  return conclude(result, folder, common);
 }
 
 }  // namespace isostretch::app::parameterize

@@ -20,27 +20,27 @@ std::vector<double> distortions(const std::vector<double>& stretches) {
   return values;
 }
 
-std::string subtitle(const Domain& domain, const Solution& solution) {
-  const newton::Summary& s = solution.summary;
-  return format(
-      "%lld triangles   ·   %s after %d iterations, %.3g s   ·   energy %.10g   ·   "
-      "|gradient|∞ %.2e   ·   %zu flipped%s",
-      static_cast<long long>(domain.open.triangles.rows()),
-      std::string(newton::status_name(s.status)).c_str(), s.iterations, s.seconds.total, s.energy,
-      s.gradient_inf_norm, solution.flipped.size(), solution.flipped.empty() ? "" : " (blue)");
+std::string subtitle(const Result& r) {
+  const newton::Summary& s = r.solution.summary;
+  const std::size_t charts = r.start.charts.size();
+  return format("%lld triangles%s   ·   %s after %d iterations, %.3g s   ·   energy %.10g   ·   |gradient|∞ %.2e   ·   "
+                "%zu flipped%s",
+                static_cast<long long>(r.domain.open().triangles.rows()),
+                charts > 1 ? (" in " + std::to_string(charts) + " charts").c_str() : "",
+                std::string(newton::status_name(s.status)).c_str(), s.iterations, s.seconds.total, s.energy,
+                s.gradient_inf_norm, r.layout.flipped.size(), r.layout.flipped.empty() ? "" : " (blue)");
 }
 
 }  // namespace
 
-std::string draw(const Domain& domain, const Start& start, const energies::AnyEnergy& energy,
-                 const Solution& solution, const Options& options) {
-  const std::vector<double> values = distortions(solution.stretches);
-  return figures::draw_solve(
-      {.title = options.model.filename().string() + ", " + energy.name(),
-       .subtitle = subtitle(domain, solution),
-       .layout = {solution.uv, domain.open.triangles, values, solution.flipped, solution.pinned},
-       .areas = start.elements.weights,
-       .trace = solution.summary.trace});
+std::string draw_layout(const Result& r) {
+  const std::vector<double> values = distortions(r.solution.stretches);
+  const std::vector<int> pinned = r.solution.pins.nodes();
+  return figures::draw_solve({.title = r.options.model.filename().string() + ", " + r.energy.name(),
+                              .subtitle = subtitle(r),
+                              .layout = {r.layout.uv, r.domain.open().triangles, values, r.layout.flipped, pinned},
+                              .areas = r.start.rest.weights,
+                              .trace = r.solution.summary.trace});
 }
 
 }  // namespace isostretch::app::parameterize

@@ -8,6 +8,7 @@
 #include <isostretch/mesh/orientation.hpp>
 #include <isostretch/newton/minimize.hpp>
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -83,6 +84,24 @@ std::vector<int> Pins::nodes() const {
   return all;
 }
 
+Pins Pins::of_chart(const Chart& chart) const {
+  Pins own;
+  if (hard.empty() && soft.empty()) return own;
+  std::map<int, int> number;  // of a vertex of the opened mesh in the chart
+  for (std::size_t v = 0; v < chart.open_vertex.size(); ++v)
+    number[chart.open_vertex[v]] = static_cast<int>(v);
+  const auto take = [&](const auto& pins, auto& into) {
+    for (auto pin : pins)
+      if (const auto found = number.find(pin.node); found != number.end()) {
+        pin.node = found->second;
+        into.push_back(pin);
+      }
+  };
+  take(hard, own.hard);
+  take(soft, own.soft);
+  return own;
+}
+
 Vector positions(const mesh::Points2& uv) {
   return Eigen::Map<const Vector>(uv.data(), uv.size());
 }
@@ -94,6 +113,10 @@ mesh::Points2 points(const Vector& x) {
 Pins resolve_pins(const Domain& domain, const Start& start, const Options& options) {
   Pins pins;
   std::set<int> hard;
+  if (start.charts.size() > 1 && options.has_pins() && options.packs(start.charts.size()))
+    throw Failure(ExitCode::command_line, "--pin, --soft-pin: the surface falls into " +
+                                              std::to_string(start.charts.size()) +
+                                              " charts, which packing moves; say --pack none to keep them in place");
   for (const Pin& pin : options.pins) {
     HardPin resolved;
     resolved.node = open_vertex(domain, pin.vertex, "--pin");
@@ -116,21 +139,21 @@ Pins resolve_pins(const Domain& domain, const Start& start, const Options& optio
 }
 
 void place_hard_pins(Vector& x, const Pins& pins, const assembly::Elements& elements,
-                     const energies::AnyEnergy& energy, const Domain& domain, const Options& options) {
+                     const energies::AnyEnergy& energy, const Chart& chart, const Options& options) {
   if (!has_targets(pins) || at_targets(x, pins)) return;
   align(x, pins);
   if (!energy.has_barrier()) return snap(x, pins);
   int culprit = -1;
-  if (snap_without_flips(x, pins, domain.open.triangles, culprit)) return;
+  if (snap_without_flips(x, pins, chart.mesh.triangles, culprit)) return;
   notice("pulling the layout towards the pins first: moved there at once they turn triangles over");
   for (double weight = 1; weight <= 1e6 && !interrupted(); weight *= 10) {
     pull(x, pins, weight, elements, energy, options.newton);
-    if (snap_without_flips(x, pins, domain.open.triangles, culprit)) return;
+    if (snap_without_flips(x, pins, chart.mesh.triangles, culprit)) return;
   }
   if (interrupted())
     throw Failure(ExitCode::not_converged, "interrupted before the layout took the pins; nothing is written");
   throw Failure(ExitCode::input, "the hard pins cannot be reached without turning over triangle " +
-                                     std::to_string(culprit) + "; move them or use --soft-pin");
+                                     std::to_string(chart.triangle[static_cast<std::size_t>(culprit)]) + "; move them or use --soft-pin");
 }
 
 }  // namespace isostretch::app::parameterize

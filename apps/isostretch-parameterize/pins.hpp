@@ -18,10 +18,13 @@ struct HardPin {
   std::optional<Eigen::RowVector2d> output;  // the same in output units, as it was asked for
 };
 
+// Nodes are vertices of the opened mesh, or of one chart of it.
 struct Pins {
   std::vector<HardPin> hard;
   std::vector<newton::SoftPin> soft;
   std::vector<int> nodes() const;
+  // Those of a chart, in its numbers.
+  Pins of_chart(const Chart& chart) const;
 };
 
 // Node by node, the order the solver wants.
@@ -29,7 +32,8 @@ Vector positions(const mesh::Points2& uv);
 mesh::Points2 points(const Vector& x);
 
 // The pins on the command line in the solver's numbers and units. Throws Failure (ExitCode::command_line) for
-// vertices that do not exist or are not one in the layout, and for a vertex pinned both ways.
+// vertices that do not exist or are not one in the layout, for a vertex pinned both ways, and for charts that
+// are going to be packed.
 Pins resolve_pins(const Domain& domain, const Start& start, const Options& options);
 
 // Moves the layout so that the hard pins with targets lie on them. A similarity comes first, which brings two
@@ -37,6 +41,6 @@ Pins resolve_pins(const Domain& domain, const Start& start, const Options& optio
 // pulled towards the targets with soft pins until it can take them. Throws Failure (ExitCode::input) naming
 // a triangle when it never can.
 void place_hard_pins(Vector& x, const Pins& pins, const assembly::Elements& elements,
-                     const energies::AnyEnergy& energy, const Domain& domain, const Options& options);
+                     const energies::AnyEnergy& energy, const Chart& chart, const Options& options);
 
 }  // namespace isostretch::app::parameterize

@@ -1,11 +1,13 @@
 #include "report.hpp"
 
 #include "common/newton_report.hpp"
+#include "common/numbers.hpp"
 #include "common/threads.hpp"
 #include "distortion_statistics.hpp"
 
 #include <isostretch/core/isa.hpp>
 #include <isostretch/core/version.hpp>
+#include <isostretch/mesh/seams.hpp>
 
 namespace isostretch::app::parameterize {
 namespace {
@@ -31,6 +33,16 @@ Json pins_json(const Options& options) {
   return json;
 }
 
+const char* boundary_name(Boundary boundary) {
+  switch (boundary) {
+    case Boundary::free: return "free";
+    case Boundary::fixed: return "fixed";
+    case Boundary::circle: return "circle";
+    case Boundary::square: return "square";
+  }
+  return "";
+}
+
 Json options_json(const Options& options) {
   const newton::Options& solve = options.newton;
   return {{"initial", options.initial == Initial::input ? "input" : "tutte"},
@@ -42,18 +54,56 @@ Json options_json(const Options& options) {
           {"max_expansion", solve.max_expansion},
           {"solver", sparse::backend_name(solve.solver.backend)},
           {"ordering", sparse::ordering_name(solve.solver.ordering)},
+          {"boundary", boundary_name(options.boundary)},
+          {"repair", options.repair},
+          {"input_seams", options.input_seams},
+          {"max_distortion", options.max_distortion},
           {"keep_normalized", options.keep_normalized},
           {"pins", pins_json(options)}};
 }
 
-Json mesh_json(const Domain& domain, const Start& start, const Options& options) {
-  return {{"file", options.model.string()},
-          {"vertices", domain.input.vertices.rows()},
-          {"triangles", domain.input.triangles.rows()},
-          {"boundary_loops", domain.boundary_loops},
-          {"cut_edges", domain.cut_edges},
-          {"uv_points", domain.open.vertices.rows()},
-          {"area", start.total_area}};
+Json mesh_json(const Result& r) {
+  return {{"file", r.options.model.string()},
+          {"vertices", r.domain.input.vertices.rows()},
+          {"triangles", r.domain.input.triangles.rows()},
+          {"components", r.domain.components},
+          {"boundary_loops", r.domain.boundary_loops},
+          {"genus", r.domain.genus < 0 ? Json() : Json(r.domain.genus)},
+          {"area", r.start.total_area}};
+}
+
+Json repairs_json(const mesh::RepairReport& repairs) {
+  return {{"turned", repairs.turned},
+          {"degenerate_removed", repairs.degenerate},
+          {"duplicates_removed", repairs.duplicates},
+          {"vertices_split", repairs.split_vertices}};
+}
+
+Json layout_json(const Result& r) {
+  return {{"charts", r.start.charts.size()},
+          {"uv_points", r.domain.open().vertices.rows()},
+          {"cut_edges", r.domain.cut.seams.size()},
+          {"cut_length", mesh::seam_length(r.domain.input.vertices, r.domain.cut.seams)},
+          {"further_cuts", r.solution.cuts},
+          {"packed", r.layout.packed},
+          {"uv_per_length", r.layout.scale},
+          {"coverage", r.layout.packed ? Json(r.layout.coverage) : Json()}};
+}
+
+Json charts_json(const Result& r) {
+  Json charts = Json::array();
+  for (const Chart& chart : r.start.charts)
+    charts.push_back({{"triangles", chart.triangle.size()},
+                      {"area", mesh::total_weight(chart.rest)},
+                      {"start", atlas::start_method_name(chart.method)}});
+  for (const Run& run : r.solution.runs) {  // the last run of a chart counts
+    Json& chart = charts[static_cast<std::size_t>(run.chart)];
+    chart["status"] = newton::status_name(run.summary.status);
+    chart["iterations"] = run.summary.iterations;
+    chart["energy"] = run.summary.energy;
+    chart["gradient_inf_norm"] = run.summary.gradient_inf_norm;
+  }
+  return charts;
 }
 
 Json seconds_json(const newton::Summary& summary, const PhaseSeconds& phases) {
@@ -63,42 +113,60 @@ Json seconds_json(const newton::Summary& summary, const PhaseSeconds& phases) {
   return json;
 }
 
+bool missed_bound(const Result& r) {
+  return r.options.max_distortion > 0 && r.solution.worst_distortion > r.options.max_distortion;
+}
+
 }  // namespace
 
-ExitCode exit_code(const Solution& solution) {
-  if (newton::failed(solution.summary.status) || !solution.flipped.empty()) return ExitCode::solver_failed;
-  return solution.summary.converged() ? ExitCode::success : ExitCode::not_converged;
+ExitCode exit_code(const Result& r) {
+  if (newton::failed(r.solution.summary.status) || !r.layout.flipped.empty()) return ExitCode::solver_failed;
+  return r.solution.summary.converged() && !missed_bound(r) ? ExitCode::success : ExitCode::not_converged;
 }
 
-std::string verdict(const Solution& solution) {
+std::string verdict(const Result& r) {
+  const newton::Summary& summary = r.solution.summary;
+  std::vector<std::string> parts;
+  if (!summary.converged())
+    parts.push_back(std::string(newton::status_name(summary.status)) + ": " + summary.message);
+  if (missed_bound(r))
+    parts.push_back("the largest distortion is " + exact_text(r.solution.worst_distortion) + ", not " +
+                    exact_text(r.options.max_distortion) + ", after " + std::to_string(r.solution.cuts) + " cuts");
+  if (!r.layout.flipped.empty())
+    parts.push_back(std::to_string(r.layout.flipped.size()) +
+                    " triangle(s) of the result are turned over, the first is " +
+                    std::to_string(r.layout.flipped[0]));
+  if (parts.empty()) return "converged, no triangle is turned over";
   std::string text;
-  if (!solution.summary.converged())
-    text = std::string(newton::status_name(solution.summary.status)) + ": " + solution.summary.message;
-  if (!solution.flipped.empty())
-    text += (text.empty() ? "" : "; ") + std::to_string(solution.flipped.size()) +
-            " triangle(s) of the result are turned over, the first is " + std::to_string(solution.flipped[0]);
-  return text.empty() ? "converged, no triangle is turned over" : text + "; the best state is written";
+  for (const std::string& part : parts) text += part + "; ";
+  return text + "the best state is written";
 }
 
-mesh::SurfaceMesh textured(const Domain& domain, const Solution& solution) {
-  mesh::SurfaceMesh result = domain.input;
-  result.uv = solution.uv;
-  result.uv_triangles = domain.open.triangles;
+mesh::SurfaceMesh textured(const Result& r) {
+  mesh::SurfaceMesh result = r.domain.input;
+  result.uv = r.layout.uv;
+  result.uv_triangles = r.domain.open().triangles;
   return result;
 }
 
-Json summary_json(const Domain& domain, const Start& start, const energies::AnyEnergy& energy,
-                  const Solution& solution, const Options& options, const PhaseSeconds& seconds) {
-  Json json = solve_json(solution.summary);
-  json["soft_pin_energy"] = solution.soft_pin_energy;
-  json["flipped"] = solution.flipped.size();
-  json["initial_flipped"] = start.flipped;
-  json["seconds"] = seconds_json(solution.summary, seconds);
-  json["energy_name"] = energy.name();
-  json["energy_parameters"] = parameters_json(energy);
-  json["distortion"] = distortion_json(distortion_statistics(solution.stretches, start.elements.weights));
-  json["mesh"] = mesh_json(domain, start, options);
-  json["options"] = options_json(options);
+std::string trace_text(const Result& r) {
+  return trace_csv(r.solution.summary, "chart", r.solution.chart_of_row);
+}
+
+Json summary_json(const Result& r, const PhaseSeconds& seconds) {
+  Json json = solve_json(r.solution.summary);
+  json["soft_pin_energy"] = r.solution.soft_pin_energy;
+  json["flipped"] = r.layout.flipped.size();
+  json["initial_flipped"] = r.start.flipped;
+  json["seconds"] = seconds_json(r.solution.summary, seconds);
+  json["energy_name"] = r.energy.name();
+  json["energy_parameters"] = parameters_json(r.energy);
+  json["distortion"] = distortion_json(distortion_statistics(r.solution.stretches, r.start.rest.weights));
+  json["mesh"] = mesh_json(r);
+  json["repairs"] = repairs_json(r.domain.repairs);
+  json["layout"] = layout_json(r);
+  json["charts"] = charts_json(r);
+  json["options"] = options_json(r.options);
   json["threads"] = thread_count();
   json["instruction_set"] = isa_name(active_isa());
   json["version"] = version_string;

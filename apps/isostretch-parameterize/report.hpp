@@ -2,7 +2,7 @@
 
 #include "common/exit_code.hpp"
 #include "common/output_folder.hpp"
-#include "solve.hpp"
+#include "layout.hpp"
 
 #include <string>
 
@@ -16,14 +16,23 @@ struct PhaseSeconds {
   double total = 0;    // since the program began, until summary.json is composed
 };
 
-ExitCode exit_code(const Solution& solution);
-// What went wrong or well, in one line.
-std::string verdict(const Solution& solution);
+// What came of it, all that the reports are made of.
+struct Result {
+  const Options& options;
+  const energies::AnyEnergy& energy;
+  const Domain& domain;
+  const Start& start;
+  const Solution& solution;
+  const Layout& layout;
+};
 
-mesh::SurfaceMesh textured(const Domain& domain, const Solution& solution);
-std::string draw(const Domain& domain, const Start& start, const energies::AnyEnergy& energy,
-                 const Solution& solution, const Options& options);
-Json summary_json(const Domain& domain, const Start& start, const energies::AnyEnergy& energy,
-                  const Solution& solution, const Options& options, const PhaseSeconds& seconds);
+ExitCode exit_code(const Result& result);
+// What went wrong or well, in one line.
+std::string verdict(const Result& result);
+
+mesh::SurfaceMesh textured(const Result& result);
+std::string trace_text(const Result& result);
+std::string draw_layout(const Result& result);
+Json summary_json(const Result& result, const PhaseSeconds& seconds);
 
 }  // namespace isostretch::app::parameterize

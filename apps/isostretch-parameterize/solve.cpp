@@ -1,53 +1,114 @@
 #include "solve.hpp"
 
+#include "chart_runs.hpp"
 #include "common/interrupt.hpp"
 #include "common/newton_report.hpp"
 #include "common/terminal.hpp"
-#include "pins.hpp"
+#include "further_cut.hpp"
 
-#include <isostretch/mesh/orientation.hpp>
+#include <isostretch/core/timer.hpp>
 #include <isostretch/newton/minimize.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace isostretch::app::parameterize {
 namespace {
 
-newton::CallbackAction watch(const newton::Iteration& row, const Vector&) {
-  show_progress(progress_line(row));
-  return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
-}
+class Solver {
+ public:
+  Solver(Domain& domain, Start& start, const energies::AnyEnergy& energy, const Options& options)
+      : domain_(domain), start_(start), energy_(energy), options_(options) {
+    solution_.uv = start.uv;
+    solution_.stretches.assign(2 * static_cast<std::size_t>(domain.open().triangles.rows()), 1.0);
+    pins_ = resolve_pins(domain, start, options);
+    soft_pin_energy_.assign(start.charts.size(), 0.0);
+  }
 
-void explain_interrupt(newton::Summary& summary) {
-  if (summary.status == newton::Status::stopped_by_callback) summary.message = "interrupted (Ctrl-C)";
-}
+  Solution run() {
+    for (std::size_t c = 0; c < start_.charts.size(); ++c) solve_chart(static_cast<int>(c));
+    if (options_.max_distortion > 0) cut_further();
+    combine_runs(solution_.runs, solution_.summary, solution_.chart_of_row);
+    solution_.worst_distortion = worst_distortion(solution_.stretches);
+    solution_.pins = pins_;
+    for (const double energy : soft_pin_energy_) solution_.soft_pin_energy += energy;
+    return std::move(solution_);
+  }
+
+ private:
+  newton::CallbackAction watch(const newton::Iteration& row, std::size_t chart) const {
+    const std::string of = start_.charts.size() > 1 ? "chart " + std::to_string(chart + 1) + "/" +
+                                                          std::to_string(start_.charts.size()) + "  "
+                                                    : "";
+    show_progress(of + progress_line(row));
+    return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
+  }
+
+  newton::Options newton_options() const {
+    newton::Options newton = options_.newton;
+    // What is left; a chart that has no time left still says so after its start.
+    if (newton.time_limit > 0) newton.time_limit = std::max(newton.time_limit - timer_.seconds(), 1e-9);
+    return newton;
+  }
+
+  void solve_chart(int number) {
+    const Chart& chart = start_.charts[static_cast<std::size_t>(number)];
+    const Pins pins = pins_.of_chart(chart);
+    const assembly::Elements elements = assembly::elements_from(chart.rest);
+    Vector x = positions(chart.gather(solution_.uv));
+    place_hard_pins(x, pins, elements, energy_, chart, options_);
+
+    newton::Objective objective(2, elements.node_count);
+    const auto& term = objective.add<newton::EnergyTerm>(elements, energy_);
+    auto& soft_pins = objective.add<newton::SoftPinTerm>(2, elements.node_count, pins.soft);
+    for (const HardPin& pin : pins.hard) objective.pin(pin.node);
+    for (const int vertex : chart.held_boundary) objective.pin(vertex);
+
+    Run run{number, newton::minimize(objective, x, newton_options(), [&](const newton::Iteration& row, const Vector&) {
+              return watch(row, static_cast<std::size_t>(number));
+            })};
+    clear_progress();
+    if (run.summary.status == newton::Status::stopped_by_callback) run.summary.message = "interrupted (Ctrl-C)";
+    solution_.runs.push_back(std::move(run));
+    chart.scatter(points(x), solution_.uv);
+    soft_pin_energy_[static_cast<std::size_t>(number)] = soft_pins.value(x).value;
+    const std::vector<double> stretches = term.assembler().stretches(x.data());
+    for (std::size_t t = 0; t < chart.triangle.size(); ++t)
+      for (std::size_t i = 0; i < 2; ++i)
+        solution_.stretches[2 * static_cast<std::size_t>(chart.triangle[t]) + i] = stretches[2 * t + i];
+  }
+
+  // From the vertex inside a chart whose triangles are distorted most to its boundary, again and again.
+  void cut_further() {
+    while (solution_.cuts < options_.max_cuts && !interrupted() && !out_of_time()) {
+      const int vertex = worst_vertex(domain_, solution_.stretches, options_.max_distortion);
+      if (vertex < 0) return;
+      const int chart = cut_at(domain_, vertex, solution_.uv);
+      start_.charts[static_cast<std::size_t>(chart)] = make_chart(domain_, start_, chart);
+      ++solution_.cuts;
+      solve_chart(chart);
+    }
+  }
+
+  bool out_of_time() const {
+    return options_.newton.time_limit > 0 && timer_.seconds() >= options_.newton.time_limit;
+  }
+
+  Domain& domain_;
+  Start& start_;
+  const energies::AnyEnergy& energy_;
+  const Options& options_;
+  Timer timer_;
+  Pins pins_;
+  std::vector<double> soft_pin_energy_;  // of every chart
+  Solution solution_;
+};
 
 }  // namespace
 
-Solution solve(const Domain& domain, const Start& start, const energies::AnyEnergy& energy,
-               const Options& options) {
-  const Pins pins = resolve_pins(domain, start, options);
-  const assembly::Elements elements = assembly::elements_from(start.elements);
-  Vector x = positions(start.uv);
-  place_hard_pins(x, pins, elements, energy, domain, options);
-
-  newton::Objective objective(2, elements.node_count);
-  const auto& term = objective.add<newton::EnergyTerm>(elements, energy);
-  auto& soft_pins = objective.add<newton::SoftPinTerm>(2, elements.node_count, pins.soft);
-  for (const HardPin& pin : pins.hard) objective.pin(pin.node);
-
-  Solution solution;
-  solution.summary = newton::minimize(objective, x, options.newton, watch);
-  clear_progress();
-  explain_interrupt(solution.summary);
-  solution.stretches = term.assembler().stretches(x.data());
-  solution.soft_pin_energy = soft_pins.value(x).value;
-  solution.uv = points(x) * start.unit_length;
-  for (const HardPin& pin : pins.hard)
-    if (pin.output) solution.uv.row(pin.node) = *pin.output;  // to the last bit as asked
-  solution.flipped = mesh::orientation(solution.uv, domain.open.triangles).flipped;
-  solution.pinned = pins.nodes();
-  return solution;
+Solution solve(Domain& domain, Start& start, const energies::AnyEnergy& energy, const Options& options) {
+  return Solver(domain, start, energy, options).run();
 }
 
 }  // namespace isostretch::app::parameterize

@@ -1,23 +1,19 @@
 #include "start.hpp"
 
 #include "common/exit_code.hpp"
+#include "common/interrupt.hpp"
 #include "common/terminal.hpp"
 
+#include <isostretch/mesh/boundary.hpp>
+#include <isostretch/mesh/components.hpp>
 #include <isostretch/mesh/orientation.hpp>
-#include <isostretch/mesh/tutte.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace isostretch::app::parameterize {
 namespace {
-
-mesh::Points2 tutte(const Domain& domain, const Options& options) {
-  const mesh::TutteResult result = mesh::tutte_embedding(domain.open, {.solver = options.newton.solver});
-  if (result.status == mesh::TutteStatus::failed)
-    throw Failure(ExitCode::solver_failed, "no start: " + result.message + "; nothing is written");
-  return result.uv;
-}
 
 std::string list_some(const std::vector<int>& numbers) {
   constexpr std::size_t most = 5;
@@ -28,35 +24,153 @@ std::string list_some(const std::vector<int>& numbers) {
   return text;
 }
 
-void require_startable(const std::vector<int>& flipped, const energies::AnyEnergy& energy, Initial initial) {
-  if (flipped.empty()) return;
-  const std::string what = std::string(initial == Initial::tutte ? "Tutte's embedding" : "the input's uv") +
-                           " turns over or collapses triangle(s) " + list_some(flipped);
-  if (energy.has_barrier())
-    throw Error(what + ", where the energy '" + energy.name() +
-                "' is infinite; start elsewhere or choose an energy that is finite under inversion");
-  warn(what);
-}
-
 Start rest_shape(const Domain& domain, const Options& options) {
   Start start;
-  start.elements = mesh::flat_elements(domain.open);
-  start.total_area = mesh::total_weight(start.elements);
-  const double shrink = mesh::scale_to_total_weight(start.elements, 1.0);
+  start.rest = mesh::flat_elements(domain.open());
+  start.total_area = mesh::total_weight(start.rest);
+  const double shrink = mesh::scale_to_total_weight(start.rest, 1.0);
   start.unit_length = options.keep_normalized ? 1.0 : 1.0 / shrink;
+  start.uv.setZero(domain.open().vertices.rows(), 2);
   return start;
+}
+
+// The elements of some triangles, with nodes renumbered as the chart has them.
+mesh::ElementArrays elements_of(const Chart& chart, const mesh::ElementArrays& whole) {
+  mesh::ElementArrays rest;
+  rest.dim = whole.dim;
+  rest.nodes_per_element = whole.nodes_per_element;
+  rest.points_per_element = whole.points_per_element;
+  rest.node_count = static_cast<int>(chart.mesh.vertices.rows());
+  const std::size_t per_element = whole.gradients.size() / whole.weights.size();
+  for (std::size_t t = 0; t < chart.triangle.size(); ++t) {
+    const auto from = static_cast<std::size_t>(chart.triangle[t]);
+    for (int c = 0; c < 3; ++c) rest.nodes.push_back(chart.mesh.triangles(static_cast<Eigen::Index>(t), c));
+    const auto gradients = whole.gradients.begin() + static_cast<std::ptrdiff_t>(from * per_element);
+    rest.gradients.insert(rest.gradients.end(), gradients, gradients + static_cast<std::ptrdiff_t>(per_element));
+    rest.weights.push_back(whole.weights[from]);
+  }
+  return rest;
+}
+
+Chart from_part(mesh::Part part, const mesh::ElementArrays& whole) {
+  Chart chart;
+  chart.mesh = std::move(part.mesh);
+  chart.open_vertex = std::move(part.original_vertex);
+  chart.triangle = std::move(part.original_triangle);
+  chart.rest = elements_of(chart, whole);
+  return chart;
+}
+
+// The boundary of every chart, or only what lies on the circle or square.
+std::vector<int> held_boundary(const Chart& chart, Boundary boundary) {
+  if (boundary == Boundary::free) return {};
+  const auto loops = mesh::boundary_loops(chart.mesh);
+  if (boundary != Boundary::fixed) return loops[mesh::longest_loop(chart.mesh, loops)];
+  std::vector<int> all;
+  for (const auto& loop : loops) all.insert(all.end(), loop.begin(), loop.end());
+  return all;
+}
+
+std::vector<int> corners_of(const Domain& domain, const Chart& chart, const Options& options) {
+  std::vector<int> corners;
+  for (const int corner : options.corners) {
+    const int open = open_vertex(domain, corner, "--corners");
+    const auto found = std::find(chart.open_vertex.begin(), chart.open_vertex.end(), open);
+    if (found == chart.open_vertex.end())
+      throw Failure(ExitCode::command_line,
+                    "--corners: vertex " + std::to_string(corner) + " is in another chart than the rest");
+    corners.push_back(static_cast<int>(found - chart.open_vertex.begin()));
+  }
+  return corners;
+}
+
+std::string chart_name(std::size_t number, std::size_t count) {
+  return count == 1 ? "" : "chart " + std::to_string(number) + " of " + std::to_string(count) + ": ";
+}
+
+// The straight side of a square is where a triangle can end up flat through no fault of the mesh.
+std::string held_flat(const Chart& chart, const std::vector<int>& flipped) {
+  for (const int t : flipped) {
+    bool held = true;
+    for (int c = 0; c < 3; ++c)
+      held = held && std::find(chart.held_boundary.begin(), chart.held_boundary.end(),
+                               chart.mesh.triangles(t, c)) != chart.held_boundary.end();
+    if (held)
+      return "; triangle " + std::to_string(chart.triangle[static_cast<std::size_t>(t)]) +
+             " has all its corners on the boundary that is held: choose other corners or another --boundary";
+  }
+  return "";
+}
+
+void embed(const Domain& domain, const Options& options, const std::string& name, Chart& chart, Start& start) {
+  atlas::StartOptions how;
+  how.tutte.solver = options.newton.solver;
+  how.tutte.boundary =
+      options.boundary == Boundary::square ? mesh::BoundaryShape::square : mesh::BoundaryShape::circle;
+  how.tutte.corners = corners_of(domain, chart, options);
+  how.keep_boundary = options.boundary != Boundary::free;
+  how.keep_going = [] { return !interrupted(); };
+  const atlas::StartResult result = atlas::flip_free_start(chart.mesh, chart.rest, how);
+  if (result.uv.rows() == 0)
+    throw Failure(ExitCode::solver_failed, name + "no start: " + result.message + "; nothing is written");
+  if (result.method == atlas::StartMethod::untangled)
+    notice(name + "Tutte's embedding collapsed triangles: untangled in " +
+           std::to_string(result.untangling.iterations) + " iterations");
+  if (!result.flipped.empty() && interrupted())
+    throw Failure(ExitCode::not_converged, "interrupted before there was a start; nothing is written");
+  chart.method = result.method;
+  chart.scatter(result.uv, start.uv);
+}
+
+void require_startable(const Chart& chart, const Start& start, const std::string& name,
+                       const energies::AnyEnergy& energy, const Options& options) {
+  const auto flipped = mesh::orientation(chart.gather(start.uv), chart.mesh.triangles).flipped;
+  if (flipped.empty()) return;
+  std::vector<int> in_input;
+  for (const int t : flipped) in_input.push_back(chart.triangle[static_cast<std::size_t>(t)]);
+  const std::string what = name + (options.initial == Initial::tutte ? "the start" : "the input's uv") +
+                           " turns over or collapses triangle(s) " + list_some(in_input);
+  if (energy.has_barrier())
+    throw Error(what + ", where the energy '" + energy.name() + "' is infinite" + held_flat(chart, flipped));
+  warn(what);
 }
 
 }  // namespace
 
+mesh::Points2 Chart::gather(const mesh::Points2& uv) const {
+  mesh::Points2 own(static_cast<Eigen::Index>(open_vertex.size()), 2);
+  for (std::size_t v = 0; v < open_vertex.size(); ++v)
+    own.row(static_cast<Eigen::Index>(v)) = uv.row(open_vertex[v]);
+  return own;
+}
+
+void Chart::scatter(const mesh::Points2& own, mesh::Points2& uv) const {
+  for (std::size_t v = 0; v < open_vertex.size(); ++v)
+    uv.row(open_vertex[v]) = own.row(static_cast<Eigen::Index>(v));
+}
+
+Chart make_chart(const Domain& domain, const Start& start, int number) {
+  return from_part(std::move(mesh::split(domain.open(), domain.cut.chart)[static_cast<std::size_t>(number)]),
+                   start.rest);
+}
+
 Start make_start(const Domain& domain, const energies::AnyEnergy& energy, const Options& options) {
   const auto make = [&] {
     Start start = rest_shape(domain, options);
-    start.uv = options.initial == Initial::tutte ? tutte(domain, options)
-                                                 : mesh::Points2(domain.input_uv / start.unit_length);
-    const auto flipped = mesh::orientation(start.uv, domain.open.triangles).flipped;
-    start.flipped = static_cast<int>(flipped.size());
-    require_startable(flipped, energy, options.initial);
+    if (options.initial == Initial::input) start.uv = domain.input_uv / start.unit_length;
+    std::vector<mesh::Part> parts = mesh::split(domain.open(), domain.cut.chart);
+    if (!options.corners.empty() && parts.size() > 1)
+      throw Failure(ExitCode::command_line, "--corners: the surface falls into " + std::to_string(parts.size()) +
+                                                " charts; only one can have corners");
+    for (mesh::Part& part : parts) {
+      Chart chart = from_part(std::move(part), start.rest);
+      chart.held_boundary = held_boundary(chart, options.boundary);
+      const std::string name = chart_name(start.charts.size(), parts.size());
+      if (options.initial == Initial::tutte) embed(domain, options, name, chart, start);
+      require_startable(chart, start, name, energy, options);
+      start.charts.push_back(std::move(chart));
+    }
+    start.flipped = mesh::count_flipped(start.uv, domain.open().triangles);
     return start;
   };
   return failing_with(ExitCode::input, [&] { return naming_file(options.model, make); });

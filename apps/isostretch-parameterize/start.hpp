@@ -2,22 +2,43 @@
 
 #include "domain.hpp"
 
+#include <isostretch/atlas/start.hpp>
 #include <isostretch/energies/any_energy.hpp>
 #include <isostretch/mesh/element_arrays.hpp>
 
+#include <vector>
+
 namespace isostretch::app::parameterize {
+
+// A connected piece of the opened mesh, solved by itself.
+struct Chart {
+  mesh::SurfaceMesh mesh;          // with numbers of its own
+  std::vector<int> open_vertex;    // its vertices in the opened mesh
+  std::vector<int> triangle;       // its triangles in the opened mesh
+  mesh::ElementArrays rest;        // of all charts together the area is 1
+  std::vector<int> held_boundary;  // vertices that --boundary holds, in the numbers of the chart
+  atlas::StartMethod method = atlas::StartMethod::uniform;
+
+  // Rows of a layout of the opened mesh, and back.
+  mesh::Points2 gather(const mesh::Points2& uv) const;
+  void scatter(const mesh::Points2& own, mesh::Points2& uv) const;
+};
 
 // The solver's view: rest area 1, and a layout to start from.
 struct Start {
-  mesh::ElementArrays elements;
-  double total_area = 0;   // of the input, in its units
-  double unit_length = 1;  // output uv = unit_length * solver's uv
-  mesh::Points2 uv;        // in the solver's units
-  int flipped = 0;         // triangles of uv that are turned over
+  mesh::ElementArrays rest;  // of the whole, triangle by triangle
+  double total_area = 0;     // of the input, in its units
+  double unit_length = 1;    // output uv = unit_length * solver's uv
+  std::vector<Chart> charts;
+  mesh::Points2 uv;  // of the opened mesh, in the solver's units; charts lie on top of each other
+  int flipped = 0;   // triangles of uv that are turned over
 };
 
 // Throws Failure with ExitCode::input when an element has no area, or when the start has flipped triangles
 // that the energy cannot recover from; names them.
 Start make_start(const Domain& domain, const energies::AnyEnergy& energy, const Options& options);
+
+// The chart of that number of the domain as it is cut now, without a start.
+Chart make_chart(const Domain& domain, const Start& start, int number);
 
 }  // namespace isostretch::app::parameterize
