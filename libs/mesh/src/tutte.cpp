@@ -164,7 +164,8 @@ std::vector<double> relative_scale(const SurfaceMesh& mesh, const Points2& uv) {
   return scale;
 }
 
-// The mean, over the surface, of area in space over area in uv, relative to the whole: 1 where areas are kept.
+// The mean, over the surface, of area in space over area in uv, relative to the whole: 1 where areas are
+// kept.
 double collapse(const SurfaceMesh& mesh, const Points2& uv) {
   const double total = total_area(mesh);
   double sum = 0;
@@ -197,8 +198,7 @@ TutteResult tutte_embedding(const SurfaceMesh& mesh, const TutteOptions& options
   double smallest_collapse = HUGE_VAL;
   for (int attempt = 0;; ++attempt) {
     const std::string fault = solver.solve(uv);
-    if (!fault.empty() && attempt == 0)
-      return {TutteStatus::failed, "Tutte embedding: " + fault, {}, {}, 0};
+    if (!fault.empty() && attempt == 0) return {TutteStatus::failed, "Tutte embedding: " + fault, {}, {}, 0};
     if (!fault.empty()) break;  // weights beyond what the solver takes: the best so far is the result
     std::vector<int> flipped = orientation(uv, mesh.triangles).flipped;
     const double now = collapse(mesh, uv);

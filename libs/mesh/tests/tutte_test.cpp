@@ -182,7 +182,8 @@ TEST_CASE("corners that make no square are refused") {
   };
   CHECK_THROWS_WITH_AS(embed({loop[0], loop[1]}), "2 corners given: a square has four", Error);
   CHECK_THROWS_WITH_AS(embed({0, loop[1], loop[2], loop[3]}), "corner 0 is not on the boundary", Error);
-  CHECK_THROWS_WITH_AS(embed({loop[0], loop[5], loop[3], loop[7]}), doctest::Contains("comes too late"), Error);
+  CHECK_THROWS_WITH_AS(embed({loop[0], loop[5], loop[3], loop[7]}), doctest::Contains("comes too late"),
+                       Error);
   const SurfaceMesh triangle = surface({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2});
   TutteOptions square;
   square.boundary = BoundaryShape::square;

@@ -16,6 +16,10 @@ std::vector<std::vector<int>> boundary_loops(const Triangles& triangles, int ver
 // Sum of the lengths of a loop's edges, the one back to its first vertex included.
 double loop_length(const SurfaceMesh& mesh, const std::vector<int>& loop);
 
+// Of every vertex, the length of the shortest path along edges to the boundary of its component; infinite
+// where there is none. The mesh must be manifold and consistently oriented.
+std::vector<double> distance_to_boundary(const SurfaceMesh& mesh);
+
 // Which of the loops is the longest; there must be one.
 std::size_t longest_loop(const SurfaceMesh& mesh, const std::vector<std::vector<int>>& loops);
 

@@ -21,7 +21,7 @@ struct CutOptions {
   // Of closed surfaces of genus 0: the cut is a tree that ends in up to this many far-apart vertices (at
   // least 2). From the third on only those are taken whose distance from the tree is more than
   // terminal_distance times the square root of the area.
-  int max_terminals = 4;
+  int max_terminals = 8;
   double terminal_distance = 0.35;
 };
 
