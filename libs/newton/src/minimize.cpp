@@ -52,7 +52,7 @@ class Minimizer {
     if (!x_.allFinite()) return end(Status::failed_start, "the start has positions that are not finite");
     {
       const ScopedTimer timer(summary_.seconds.setup);
-      matrix_ = objective_.pattern().zero_matrix();
+      matrix_ = objective_.zero_matrix();
       if (matrix_.size > 0) {
         solver_ = sparse::make_solver(options_.solver);
         solver_->analyze(matrix_);
@@ -76,6 +76,7 @@ class Minimizer {
   Evaluation differentiate() {
     const ScopedTimer timer(summary_.seconds.assembly);
     const Evaluation at = objective_.differentiate(x_, filter_, gradient_, true);
+    objective_.restrict(gradient_, reduced_);
     points_filtered_ = at.points_filtered;
     if (std::isfinite(at.value)) {
       objective_.hessian(matrix_);
@@ -100,7 +101,7 @@ class Minimizer {
   bool record(Iteration row) {
     row.seconds = timer_.seconds();
     row.gradient_inf_norm = summary_.gradient_inf_norm =
-        gradient_.size() ? gradient_.cwiseAbs().maxCoeff() : 0.0;
+        reduced_.size() ? reduced_.cwiseAbs().maxCoeff() : 0.0;
     summary_.trace.push_back(row);
     if (callback_ && callback_(row, x_) == CallbackAction::stop)
       return end(Status::stopped_by_callback, "stopped by the callback");
@@ -125,11 +126,12 @@ class Minimizer {
     return false;
   }
 
-  // One median stiffness says little where elements differ by many orders of magnitude: a gradient small beside
-  // it must not promise a gain of energy either.
+  // One median stiffness says little where elements differ by many orders of magnitude: a gradient small
+  // beside it must not promise a gain of energy either.
   bool promises_little(double decrement) const {
     constexpr double share = 1e-8, negligible = 1e-12;
-    return decrement <= share * std::max(std::abs(summary_.energy), negligible * std::abs(summary_.initial_energy));
+    return decrement <=
+           share * std::max(std::abs(summary_.energy), negligible * std::abs(summary_.initial_energy));
   }
 
   bool end_scaled() {
@@ -171,14 +173,12 @@ class Minimizer {
   // Newton direction over all degrees of freedom.
   bool solve() {
     const ScopedTimer timer(summary_.seconds.solve);
-    const auto& unknowns = objective_.pattern().unknowns();
-    Vector right(unknowns.size()), solution(unknowns.size());
-    for (int i = 0; i < unknowns.size(); ++i) right[i] = -gradient_[unknowns.dof(i)];
+    const Vector right = -reduced_;
+    Vector solution(right.size());
     const sparse::SolveResult result = solver_->solve_columns(right.data(), solution.data(), 1);
     if (!result && result.status != sparse::SolveStatus::not_converged)
       return end(Status::failed_factorization, result.message);
-    direction_.setZero(objective_.dofs());
-    for (int i = 0; i < unknowns.size(); ++i) direction_[unknowns.dof(i)] = solution[i];
+    objective_.extend(solution, direction_);
     return true;
   }
 
@@ -261,7 +261,7 @@ class Minimizer {
   projection::FilterOptions filter_;
   sparse::SymmetricMatrix matrix_;
   std::unique_ptr<sparse::Solver> solver_;
-  Vector gradient_, direction_, trial_, previous_;
+  Vector gradient_, reduced_, direction_, trial_, previous_;
   double typical_stiffness_ = 0;
   double last_decrement_ = std::numeric_limits<double>::infinity();  // of the step that led to x_
   bool confirm_scaled_ = false;  // the gradient has passed the scaled test, the decrement has yet to
@@ -276,6 +276,7 @@ Summary minimize(Objective& objective, Vector& x, const Options& options, const 
   if (x.size() != objective.dofs())
     throw Error("start of " + std::to_string(x.size()) + " entries for " + std::to_string(objective.dofs()) +
                 " degrees of freedom");
+  objective.require_tied(x);
   return Minimizer(objective, x, options, callback).run();
 }
 

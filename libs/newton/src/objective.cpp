@@ -1,7 +1,10 @@
+#include "tied_unknowns.hpp"
+
 #include <isostretch/core/error.hpp>
 #include <isostretch/newton/objective.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 namespace isostretch::newton {
@@ -10,6 +13,10 @@ Objective::Objective(int dim, int node_count)
     : dim_(dim), node_count_(node_count), pinned_(static_cast<std::size_t>(dim * node_count), false) {
   if (dim != 2 && dim != 3) throw Error("objective of dim " + std::to_string(dim) + ": dim is 2 or 3");
 }
+
+Objective::~Objective() = default;
+Objective::Objective(Objective&&) noexcept = default;
+Objective& Objective::operator=(Objective&&) noexcept = default;
 
 void Objective::add_term(std::unique_ptr<Term> term) {
   terms_.push_back(std::move(term));
@@ -33,6 +40,33 @@ void Objective::pin(int node, int axis) {
   pattern_.reset();
 }
 
+int Objective::representative(int dof) const {
+  while (!tied_to_.empty() && tied_to_[static_cast<std::size_t>(dof)] != dof)
+    dof = tied_to_[static_cast<std::size_t>(dof)];
+  return dof;
+}
+
+void Objective::tie(int node, int other, int axis) {
+  for (const int n : {node, other})
+    if (n < 0 || n >= node_count_ || axis < 0 || axis >= dim_)
+      throw Error("cannot tie axis " + std::to_string(axis) + " of node " + std::to_string(n));
+  if (tied_to_.empty()) {
+    tied_to_.resize(static_cast<std::size_t>(dofs()));
+    std::iota(tied_to_.begin(), tied_to_.end(), 0);
+  }
+  const int a = representative(node * dim_ + axis), b = representative(other * dim_ + axis);
+  tied_to_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  pattern_.reset();
+}
+
+void Objective::require_tied(const Vector& x) const {
+  for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)
+    if (x[dof] != x[representative(dof)])
+      throw Error("nodes " + std::to_string(representative(dof) / dim_) + " and " +
+                  std::to_string(dof / dim_) + " are tied but start with different coordinates along axis " +
+                  std::to_string(dof % dim_));
+}
+
 bool Objective::has_pins() const {
   return std::find(pinned_.begin(), pinned_.end(), true) != pinned_.end();
 }
@@ -41,9 +75,18 @@ const assembly::HessianPattern& Objective::pattern() {
   if (!pattern_) {
     assembly::PatternBuilder builder(node_count_);
     for (const auto& term : terms_) term->add_to(builder);
+    for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)
+      if (pinned_[static_cast<std::size_t>(dof)])
+        pinned_[static_cast<std::size_t>(representative(dof))] = true;
+    for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)
+      if (pinned_[static_cast<std::size_t>(representative(dof))])
+        pinned_[static_cast<std::size_t>(dof)] = true;
     pattern_ = std::make_unique<assembly::HessianPattern>(assembly::FreeUnknowns(dim_, node_count_, pinned_),
                                                           std::move(builder));
     for (const auto& term : terms_) term->bind(*pattern_);
+    tied_.reset();
+    if (!tied_to_.empty())
+      tied_ = std::make_unique<TiedUnknowns>(*pattern_, [this](int dof) { return representative(dof); });
   }
   return *pattern_;
 }
@@ -77,8 +120,29 @@ Evaluation Objective::differentiate(const Vector& x, const projection::FilterOpt
 }
 
 void Objective::hessian(sparse::SymmetricMatrix& matrix) {
-  std::fill(matrix.value.begin(), matrix.value.end(), 0.0);
-  for (const auto& term : terms_) term->add_hessian(matrix.value.data());
+  std::vector<double>& values = tied_ ? tied_->untied_values() : matrix.value;
+  std::fill(values.begin(), values.end(), 0.0);
+  for (const auto& term : terms_) term->add_hessian(values.data());
+  if (tied_) tied_->reduce(matrix.value);
+}
+
+const sparse::SymmetricMatrix& Objective::zero_matrix() {
+  const sparse::SymmetricMatrix& untied = pattern().zero_matrix();
+  return tied_ ? tied_->zero_matrix() : untied;
+}
+
+void Objective::restrict(const Vector& gradient, Vector& reduced) {
+  const auto& unknowns = pattern().unknowns();
+  reduced.setZero(zero_matrix().size);
+  for (int i = 0; i < unknowns.size(); ++i)
+    reduced[tied_ ? tied_->unknown(i) : i] += gradient[unknowns.dof(i)];
+}
+
+void Objective::extend(const Vector& reduced, Vector& direction) {
+  const auto& unknowns = pattern().unknowns();
+  direction.setZero(dofs());
+  for (int i = 0; i < unknowns.size(); ++i)
+    direction[unknowns.dof(i)] = reduced[tied_ ? tied_->unknown(i) : i];
 }
 
 double Objective::max_step(const Vector& x, const Vector& dx, double limit) const {

@@ -8,11 +8,17 @@
 
 namespace isostretch::newton {
 
+class TiedUnknowns;
+
 // A sum of terms over the positions of nodes, some of which may be pinned hard: those keep the values that
-// the start of a solve gives them, and are eliminated from the linear systems.
+// the start of a solve gives them; others may be tied, one coordinate of several nodes to each other. Pins
+// and ties are eliminated from the linear systems.
 class Objective {
  public:
   Objective(int dim, int node_count);
+  ~Objective();
+  Objective(Objective&&) noexcept;
+  Objective& operator=(Objective&&) noexcept;
 
   template <class T, class... Arguments>
   T& add(Arguments&&... arguments) {
@@ -27,6 +33,11 @@ class Objective {
   void pin(int node);
   void pin(int node, int axis);
 
+  // The coordinate along `axis` is the same for both nodes, in the start of a solve and ever after: nodes on
+  // a line across the axis. Ties add up; one pinned coordinate pins all that are tied to it. Throws Error
+  // when a node or the axis is out of range.
+  void tie(int node, int other, int axis);
+
   int dim() const { return dim_; }
   int node_count() const { return node_count_; }
   int dofs() const { return dim_ * node_count_; }
@@ -40,18 +51,31 @@ class Objective {
   // Gradient over all degrees of freedom (zero at pinned ones).
   Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
                            bool hessian);
-  // Hessian of the last differentiate() over the free unknowns, into a matrix with this pattern.
+  // Hessian of the last differentiate() over the unknowns: what is neither pinned nor tied, and every set of
+  // tied coordinates. `matrix` has the pattern of zero_matrix().
   void hessian(sparse::SymmetricMatrix& matrix);
+  const sparse::SymmetricMatrix& zero_matrix();
+
+  // A gradient over the unknowns, and a direction over all degrees of freedom (zero at pinned ones).
+  void restrict(const Vector& gradient, Vector& reduced);
+  void extend(const Vector& reduced, Vector& direction);
+  // Throws Error naming two nodes that are tied but differ in x.
+  void require_tied(const Vector& x) const;
+
   double max_step(const Vector& x, const Vector& dx, double limit) const;
 
  private:
   void require_node(int node) const;
+  int representative(int dof) const;
 
   int dim_;
   int node_count_;
   std::vector<std::unique_ptr<Term>> terms_;
   std::vector<bool> pinned_;
+  std::vector<int>
+      tied_to_;  // of every degree of freedom, the next one of a chain to its representative; or empty
   std::unique_ptr<assembly::HessianPattern> pattern_;
+  std::unique_ptr<TiedUnknowns> tied_;  // null without ties
 };
 
 }  // namespace isostretch::newton

@@ -1,0 +1,70 @@
+#include "tied_unknowns.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace isostretch::newton {
+
+TiedUnknowns::TiedUnknowns(const assembly::HessianPattern& pattern,
+                           const std::function<int(int)>& representative_dof) {
+  number_unknowns(pattern, representative_dof);
+  place_entries(pattern.zero_matrix());
+}
+
+// In the order of the representatives, which keeps unknowns of a node together.
+void TiedUnknowns::number_unknowns(const assembly::HessianPattern& pattern,
+                                   const std::function<int(int)>& representative_dof) {
+  const auto& free = pattern.unknowns();
+  const auto& group = pattern.zero_matrix().group;
+  unknown_.assign(static_cast<std::size_t>(free.size()), -1);
+  for (int i = 0; i < free.size(); ++i) {
+    // A representative has the smallest number of its set, so it has been met; a set is pinned whole or not at all.
+    const int first = free.unknown(representative_dof(free.dof(i)));
+    if (first == i) {
+      unknown_[static_cast<std::size_t>(i)] = matrix_.size++;
+      matrix_.group.push_back(group[static_cast<std::size_t>(i)]);
+    } else {
+      unknown_[static_cast<std::size_t>(i)] = unknown_[static_cast<std::size_t>(first)];
+    }
+  }
+}
+
+void TiedUnknowns::place_entries(const sparse::SymmetricMatrix& untied) {
+  struct Entry {
+    int column, row, from;
+  };
+  std::vector<Entry> entries;
+  counts_twice_.assign(untied.row.size(), false);
+  for (int j = 0; j < untied.size; ++j)
+    for (int k = untied.column_start[static_cast<std::size_t>(j)];
+         k < untied.column_start[static_cast<std::size_t>(j) + 1]; ++k) {
+      const int i = untied.row[static_cast<std::size_t>(k)], a = unknown(i), b = unknown(j);
+      entries.push_back({std::min(a, b), std::max(a, b), k});
+      counts_twice_[static_cast<std::size_t>(k)] = i != j && a == b;
+    }
+  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
+    return std::pair(x.column, x.row) < std::pair(y.column, y.row);
+  });
+  values_.assign(untied.row.size(), 0.0);
+  place_.assign(untied.row.size(), 0);
+  matrix_.column_start.assign(static_cast<std::size_t>(matrix_.size) + 1, 0);
+  for (std::size_t e = 0; e < entries.size(); ++e) {
+    const bool fresh = e == 0 || entries[e].column != entries[e - 1].column || entries[e].row != entries[e - 1].row;
+    if (fresh) {
+      matrix_.row.push_back(entries[e].row);
+      ++matrix_.column_start[static_cast<std::size_t>(entries[e].column) + 1];
+    }
+    place_[static_cast<std::size_t>(entries[e].from)] = matrix_.nonzeros() - 1;
+  }
+  for (std::size_t j = 0; j < static_cast<std::size_t>(matrix_.size); ++j)
+    matrix_.column_start[j + 1] += matrix_.column_start[j];
+  matrix_.value.assign(matrix_.row.size(), 0.0);
+}
+
+void TiedUnknowns::reduce(std::vector<double>& values) const {
+  std::fill(values.begin(), values.end(), 0.0);
+  for (std::size_t k = 0; k < values_.size(); ++k)
+    values[static_cast<std::size_t>(place_[k])] += (counts_twice_[k] ? 2.0 : 1.0) * values_[k];
+}
+
+}  // namespace isostretch::newton
