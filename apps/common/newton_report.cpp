@@ -6,8 +6,10 @@
 
 namespace isostretch::app {
 
-std::string trace_csv(const newton::Summary& summary, const std::string& name, const std::vector<int>& column) {
-  std::string text = std::string() +
+std::string trace_csv(const newton::Summary& summary, const std::string& name,
+                      const std::vector<int>& column) {
+  std::string text =
+      std::string() +
       "iteration,seconds,energy,gradient_inf_norm,step,decrement,filter_strength,points_filtered,"
       "factorizations,evaluations," +
       name + "\n";

@@ -10,7 +10,8 @@
 namespace isostretch::app {
 
 // Every iteration a line, numbers with all their digits, and one column more that the app gives.
-std::string trace_csv(const newton::Summary& summary, const std::string& name, const std::vector<int>& column);
+std::string trace_csv(const newton::Summary& summary, const std::string& name,
+                      const std::vector<int>& column);
 
 // status, message, iterations, factorizations, ... of a solve; numbers that are not finite become null.
 Json solve_json(const newton::Summary& summary);

@@ -41,11 +41,13 @@ void combine_runs(const std::vector<Run>& runs, newton::Summary& summary, std::v
   std::map<int, const newton::Summary*> last;  // of every chart
   double energy = 0;                           // of all charts, at the start
   for (const Run& run : runs) {
-    if (!last.count(run.chart)) energy += run.summary.initial_energy;
+    if (run.first) energy += run.summary.initial_energy;
     last[run.chart] = &run.summary;
   }
   const Run* worst = &runs.front();
-  const auto ends_badly = [&](const Run& run) { return last.at(run.chart) == &run.summary ? rank(run.summary) : 0; };
+  const auto ends_badly = [&](const Run& run) {
+    return last.at(run.chart) == &run.summary ? rank(run.summary) : 0;
+  };
   for (const Run& run : runs)
     if (ends_badly(run) > ends_badly(*worst)) worst = &run;
 
@@ -73,7 +75,8 @@ void combine_runs(const std::vector<Run>& runs, newton::Summary& summary, std::v
   sum.energy = energy;
   sum.status = worst->summary.status;
   sum.message = worst->summary.message;
-  if (last.size() > 1 && rank(worst->summary) > 0) sum.message += " (chart " + std::to_string(worst->chart) + ")";
+  if (last.size() > 1 && rank(worst->summary) > 0)
+    sum.message += " (chart " + std::to_string(worst->chart) + ")";
   summary = std::move(sum);
 }
 

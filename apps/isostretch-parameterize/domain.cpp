@@ -20,11 +20,32 @@ std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
+// Vertices of no triangle do no harm, and without them numbers would change.
+constexpr mesh::RepairOptions repairs{.split_vertices = true, .remove_unreferenced = false};
+
 void repair_input(Domain& domain) {
-  // Vertices of no triangle do no harm, and without them numbers would change.
-  domain.repairs = mesh::repair(domain.input, {.split_vertices = true, .remove_unreferenced = false});
+  domain.repairs = mesh::repair(domain.input, repairs);
   std::istringstream lines(to_text(domain.repairs));
   for (std::string line; std::getline(lines, line);) notice("repair: " + line);
+}
+
+bool repair_would_help(mesh::SurfaceMesh mesh) {
+  try {
+    mesh::repair(mesh, repairs);
+    mesh::cut_to_disks(mesh);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+Domain read_input(const Options& options) {
+  Domain domain;
+  const bool with_uv = options.initial == Initial::input || options.input_seams;
+  domain.input = mesh::read_surface(options.model.string(),
+                                    {.triangulate_polygons = options.triangulate, .read_uv = with_uv});
+  if (options.repair) naming_file(options.model, [&] { repair_input(domain); });
+  return domain;
 }
 
 mesh::CutOptions cut_options(const Domain& domain, const Options& options) {
@@ -44,7 +65,12 @@ void explain_cut(const Domain& domain) {
 
 void cut_open(Domain& domain, const mesh::Report& report, const Options& options) {
   if (!options.cut) mesh::require_disk(report);
-  domain.cut = mesh::cut_to_disks(domain.input, cut_options(domain, options));
+  try {
+    domain.cut = mesh::cut_to_disks(domain.input, cut_options(domain, options));
+  } catch (const Error& error) {
+    if (options.repair || !repair_would_help(domain.input)) throw;
+    throw Error(std::string(error.what()) + "; --repair mends that");
+  }
   explain_cut(domain);
 }
 
@@ -79,14 +105,18 @@ void open_along_input_uv(Domain& domain) {
 
 }  // namespace
 
+std::string check_report(const Options& options, bool& clean) {
+  return failing_with(ExitCode::input, [&] {
+    const mesh::Report report = mesh::check(read_input(options).input);
+    clean = report.clean();
+    return to_text(report);
+  });
+}
+
 Domain read_domain(const Options& options) {
   return failing_with(ExitCode::input, [&] {
-    Domain domain;
-    const bool with_uv = options.initial == Initial::input || options.input_seams;
-    domain.input = mesh::read_surface(options.model.string(),
-                                      {.triangulate_polygons = options.triangulate, .read_uv = with_uv});
+    Domain domain = read_input(options);
     naming_file(options.model, [&] {
-      if (options.repair) repair_input(domain);
       const mesh::Report report = mesh::check(domain.input, 1);
       domain.components = report.components;
       domain.boundary_loops = report.boundary_loops;

@@ -26,11 +26,15 @@ struct Domain {
   const mesh::SurfaceMesh& open() const { return cut.mesh; }
 };
 
+// The input, repaired where that was asked for, and all that mesh::check() says about it. Throws Failure
+// (ExitCode::input) only for what cannot be read.
+std::string check_report(const Options& options, bool& clean);
+
 // Throws Failure: ExitCode::input naming file and element for what cannot be read or flattened.
 Domain read_domain(const Options& options);
 
-// The vertex of the opened mesh that a vertex of the input is; ExitCode::command_line when it does not exist or a seam
-// has made several of it. `option` is what asked, for the message.
+// The vertex of the opened mesh that a vertex of the input is; ExitCode::command_line when it does not exist
+// or a seam has made several of it. `option` is what asked, for the message.
 int open_vertex(const Domain& domain, int input_vertex, const char* option);
 
 }  // namespace isostretch::app::parameterize

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
+#include <utility>
 
 namespace isostretch::app::parameterize {
 namespace {
@@ -12,19 +14,6 @@ namespace {
 double distortion_of(const std::vector<double>& stretches, std::size_t triangle) {
   const double largest = stretches[2 * triangle], smallest = stretches[2 * triangle + 1];
   return smallest > 0 ? std::max(largest, 1 / smallest) : HUGE_VAL;
-}
-
-// Of the triangles around every vertex, weighted by their areas in space.
-std::vector<double> mean_around(const mesh::SurfaceMesh& mesh, const std::vector<double>& stretches) {
-  std::vector<double> sum(static_cast<std::size_t>(mesh.vertices.rows()), 0.0), count = sum;
-  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
-    for (int c = 0; c < 3; ++c) {
-      const auto v = static_cast<std::size_t>(mesh.triangles(t, c));
-      sum[v] += std::log(distortion_of(stretches, static_cast<std::size_t>(t)));
-      count[v] += 1;
-    }
-  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] /= std::max(count[v], 1.0);
-  return sum;
 }
 
 }  // namespace
@@ -35,41 +24,91 @@ double worst_distortion(const std::vector<double>& stretches) {
   return worst;
 }
 
+// A spot deep inside gains more from a cut than a triangle beside the boundary, which would be cut off edge
+// by edge: excess counts times distance.
 int worst_vertex(const Domain& domain, const std::vector<double>& stretches, double bound) {
   const mesh::SurfaceMesh& open = domain.open();
-  std::vector<bool> on_boundary(static_cast<std::size_t>(open.vertices.rows()), false);
-  for (const auto& loop : mesh::boundary_loops(open))
-    for (const int v : loop) on_boundary[static_cast<std::size_t>(v)] = true;
-  double worst = bound;
-  Eigen::Index triangle = -1;
+  const std::vector<double> distance = mesh::distance_to_boundary(open);
+  double highest = 0;
+  int worst = -1;
   for (Eigen::Index t = 0; t < open.triangles.rows(); ++t) {
-    bool inside = false;
-    for (int c = 0; c < 3; ++c) inside = inside || !on_boundary[static_cast<std::size_t>(open.triangles(t, c))];
-    const double own = distortion_of(stretches, static_cast<std::size_t>(t));
-    if (inside && own > worst) worst = own, triangle = t;
+    const double excess = std::log(distortion_of(stretches, static_cast<std::size_t>(t)) / bound);
+    if (!(excess > 0)) continue;
+    for (const int v : open.triangles.row(t)) {
+      const double score = excess * distance[static_cast<std::size_t>(v)];
+      if (score > highest) highest = score, worst = v;
+    }
   }
-  if (triangle < 0) return -1;
-  const std::vector<double> mean = mean_around(open, stretches);
-  int best = -1;
-  for (int c = 0; c < 3; ++c) {
-    const int v = open.triangles(triangle, c);
-    if (!on_boundary[static_cast<std::size_t>(v)] &&
-        (best < 0 || mean[static_cast<std::size_t>(v)] > mean[static_cast<std::size_t>(best)]))
-      best = v;
-  }
-  return best;
+  return worst;
 }
 
 int cut_at(Domain& domain, int vertex, mesh::Points2& uv) {
   const std::vector<int> before = mesh::extend_cut(domain.cut, vertex);
   mesh::Points2 carried(static_cast<Eigen::Index>(before.size()), 2);
-  for (std::size_t v = 0; v < before.size(); ++v) carried.row(static_cast<Eigen::Index>(v)) = uv.row(before[v]);
+  for (std::size_t v = 0; v < before.size(); ++v)
+    carried.row(static_cast<Eigen::Index>(v)) = uv.row(before[v]);
   uv = carried;
   const mesh::Triangles& triangles = domain.open().triangles;
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
     for (int c = 0; c < 3; ++c)
       if (triangles(t, c) == vertex) return domain.cut.chart[static_cast<std::size_t>(t)];
   throw Error("vertex " + std::to_string(vertex) + " is in no triangle of the cut mesh");
+}
+
+int worst_triangle(const Domain& domain, const std::vector<double>& stretches, double bound) {
+  const mesh::Triangles& triangles = domain.open().triangles;
+  std::vector<int> size(domain.cut.charts.size(), 0);
+  for (const int chart : domain.cut.chart) ++size[static_cast<std::size_t>(chart)];
+  double highest = bound;
+  int worst = -1;
+  for (int t = 0; t < triangles.rows(); ++t) {
+    const double own = distortion_of(stretches, static_cast<std::size_t>(t));
+    const int chart = domain.cut.chart[static_cast<std::size_t>(t)];
+    if (own > highest && size[static_cast<std::size_t>(chart)] > 1) highest = own, worst = t;
+  }
+  return worst;
+}
+
+namespace {
+
+// The longest edge of the triangle that another triangle shares in the opened mesh, in the input's numbering.
+mesh::Edge longest_inner_edge(const Domain& domain, int triangle) {
+  const mesh::SurfaceMesh& open = domain.open();
+  std::set<std::pair<int, int>> reversed;  // edges of all triangles, as the neighbour runs through them
+  for (Eigen::Index t = 0; t < open.triangles.rows(); ++t)
+    for (int c = 0; c < 3; ++c) reversed.emplace(open.triangles(t, (c + 1) % 3), open.triangles(t, c));
+  mesh::Edge longest{-1, -1};
+  double length = -1;
+  for (int c = 0; c < 3; ++c) {
+    const int a = open.triangles(triangle, c), b = open.triangles(triangle, (c + 1) % 3);
+    const double own = (open.vertices.row(a) - open.vertices.row(b)).norm();
+    if (reversed.count({a, b}) == 0 || own <= length) continue;
+    length = own;
+    const int i = domain.cut.original_vertex[static_cast<std::size_t>(a)],
+              j = domain.cut.original_vertex[static_cast<std::size_t>(b)];
+    longest = {std::min(i, j), std::max(i, j)};
+  }
+  return longest;
+}
+
+}  // namespace
+
+std::vector<int> cut_off(Domain& domain, int triangle, mesh::Points2& uv, const Options& options) {
+  mesh::CutOptions further;
+  further.holes = options.holes;
+  further.seams = domain.cut.seams;
+  further.seams.push_back(longest_inner_edge(domain, triangle));
+  const mesh::Cut before = std::exchange(domain.cut, mesh::cut_to_disks(domain.input, further));
+  mesh::Points2 carried = mesh::Points2::Zero(domain.open().vertices.rows(), 2);
+  std::vector<int> part_of(domain.cut.charts.size(), -1);
+  for (Eigen::Index t = 0; t < before.mesh.triangles.rows(); ++t) {
+    for (int c = 0; c < 3; ++c)
+      carried.row(domain.open().triangles(t, c)) = uv.row(before.mesh.triangles(t, c));
+    part_of[static_cast<std::size_t>(domain.cut.chart[static_cast<std::size_t>(t)])] =
+        before.chart[static_cast<std::size_t>(t)];
+  }
+  uv = carried;
+  return part_of;
 }
 
 }  // namespace isostretch::app::parameterize

@@ -6,14 +6,22 @@
 
 namespace isostretch::app::parameterize {
 
-// Largest of sigma_1 and 1 / sigma_2 over triangles, of which `stretches` holds two each; infinite where one is
-// turned over.
+// Largest of sigma_1 and 1 / sigma_2 over triangles, of which `stretches` holds two each; infinite where one
+// is turned over.
 double worst_distortion(const std::vector<double>& stretches);
 
-// A vertex inside a chart (of the opened mesh) in the most distorted triangle above the bound that has one; -1: none.
+// The vertex inside a chart (of the opened mesh) from where a cut promises most: in a triangle far above the
+// bound and far from the boundary; -1: none.
 int worst_vertex(const Domain& domain, const std::vector<double>& stretches, double bound);
 
 // Cuts from there to the boundary of its chart; uv follows. Returns the chart.
 int cut_at(Domain& domain, int vertex, mesh::Points2& uv);
+
+// The most distorted triangle above the bound that has an edge to another one of its chart; -1: none.
+int worst_triangle(const Domain& domain, const std::vector<double>& stretches, double bound);
+
+// Cuts along the longest edge inside its chart of a triangle whose corners all lie on the boundary, which
+// falls into two; uv follows, charts are numbered anew. Returns the chart that each was part of.
+std::vector<int> cut_off(Domain& domain, int triangle, mesh::Points2& uv, const Options& options);
 
 }  // namespace isostretch::app::parameterize

@@ -17,8 +17,9 @@ void pack_charts(const Start& start, const Options& options, Layout& layout) {
     charts.push_back(chart.gather(layout.uv));
     triangles.push_back(chart.mesh.triangles);
   }
-  const atlas::Packing packing =
-      failing_with(ExitCode::command_line, [&] { return atlas::pack(charts, triangles, {.margin = options.margin}); });
+  const atlas::Packing packing = failing_with(ExitCode::command_line, [&] {
+    return atlas::pack(charts, triangles, {.margin = options.margin, .rotate = options.aligned.empty()});
+  });
   for (std::size_t c = 0; c < charts.size(); ++c) start.charts[c].scatter(charts[c], layout.uv);
   layout.packed = true;
   layout.scale *= packing.scale;

@@ -15,8 +15,8 @@ struct Layout {
   std::vector<int> flipped;  // triangles
 };
 
-// Scales the charts to output units and, where that is asked for or there are several, packs them into the unit
-// square. Throws Failure (ExitCode::command_line) when the margin leaves no room.
+// Scales the charts to output units and, where that is asked for or there are several, packs them into the
+// unit square. Throws Failure (ExitCode::command_line) when the margin leaves no room.
 Layout lay_out(const Domain& domain, const Start& start, const Solution& solution, const Options& options);
 
 }  // namespace isostretch::app::parameterize

@@ -24,14 +24,18 @@ void CommandLine::declare_files(CLI::App& cli) {
   cli.add_option("model", model_, "Surface to flatten: OBJ, OFF, PLY, STL, MSH, MESH, VTK or VTU")
       ->required()
       ->type_name("FILE");
-  cli.add_option("-o,--out", out_, "Folder for <model>_uv.obj, summary.json, trace.csv, report.html and pictures")
-      ->required()
+  cli.add_option("-o,--out", out_,
+                 "Folder for <model>_uv.obj, summary.json, trace.csv, report.html and pictures")
       ->type_name("FOLDER");
+  cli.add_flag("--check", check_,
+               "Only print what is wrong with the model, element by element, and its topology");
   cli.add_flag("--triangulate", triangulate_, "Cut faces of more than three corners into fans");
-  cli.add_flag("--repair", repair_,
-               "Orient triangles alike, drop duplicate and degenerate ones, split vertices where sheets touch");
+  cli.add_flag(
+      "--repair", repair_,
+      "Orient triangles alike, drop duplicate and degenerate ones, split vertices where sheets touch");
   cli.add_flag("--keep-normalized", keep_normalized_, "Write uv for total area 1, not in the model's units");
-  cli.add_flag("--no-picture", no_picture_, "Do not draw pictures, and write no report.html, which shows them");
+  cli.add_flag("--no-picture", no_picture_,
+               "Do not draw pictures, and write no report.html, which shows them");
   cli.add_flag("--glb", glb_, "Also write <model>_uv.glb with a checkerboard as texture");
 }
 
@@ -60,15 +64,17 @@ void CommandLine::declare_cut(CLI::App& cli) {
 }
 
 void CommandLine::declare_layout(CLI::App& cli) {
-  cli.add_option("--boundary", boundary_,
-                 "free; fixed where the start has it; held on a circle or square: free, fixed, circle, square")
+  cli.add_option(
+         "--boundary", boundary_,
+         "free; fixed where the start has it; held on a circle or square: free, fixed, circle, square")
       ->check(CLI::IsMember({"free", "fixed", "circle", "square"}))
       ->type_name("SHAPE")
       ->capture_default_str();
   cli.add_option("--corners", corners_, "Four boundary vertices for the corners of the square, in order")
       ->type_name("A,B,C,D");
-  cli.add_option("--pack", pack_,
-                 "square: charts side by side in the unit square; none: where they are; auto: square for several")
+  cli.add_option(
+         "--pack", pack_,
+         "square: charts side by side in the unit square; none: where they are; auto: square for several")
       ->check(CLI::IsMember({"auto", "square", "none"}))
       ->type_name("HOW")
       ->capture_default_str();
@@ -105,6 +111,13 @@ void CommandLine::declare_pins(CLI::App& cli) {
   cli.add_option("--soft-pin", soft_pins_, "Pull a vertex towards U,V with a weight (1); may be repeated")
       ->allow_extra_args(false)
       ->type_name("VERTEX:U,V[:WEIGHT]");
+  cli.add_option("--horizontal", horizontal_,
+                 "Vertices that come to lie at the same v, an edge or more; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("A,B[,C...]");
+  cli.add_option("--vertical", vertical_, "The same at the same u")
+      ->allow_extra_args(false)
+      ->type_name("A,B[,C...]");
 }
 
 void CommandLine::declare_solve(CLI::App& cli) {
@@ -173,16 +186,29 @@ std::vector<int> vertex_list(const std::string& text, const char* option) {
   return vertices;
 }
 
+void add_aligned(const std::vector<std::string>& texts, bool horizontal, Options& options) {
+  const char* name = horizontal ? "--horizontal" : "--vertical";
+  for (const std::string& text : texts) {
+    options.aligned.push_back({vertex_list(text, name), horizontal});
+    if (options.aligned.back().vertices.size() < 2)
+      throw Error(std::string(name) + ": '" + text + "' names less than two vertices");
+  }
+}
+
 void require_consistent(const Options& options) {
   if (!options.corners.empty() && options.boundary != Boundary::square)
     throw Error("--corners: only with --boundary square");
   if (!options.corners.empty() && options.corners.size() != 4)
-    throw Error("--corners: " + std::to_string(options.corners.size()) + " vertices given, a square has four");
+    throw Error("--corners: " + std::to_string(options.corners.size()) +
+                " vertices given, a square has four");
   const bool shaped = options.boundary == Boundary::circle || options.boundary == Boundary::square;
   if (shaped && options.initial == Initial::input)
-    throw Error("--boundary circle, square: the start puts the boundary there, which --initial input does not");
+    throw Error(
+        "--boundary circle, square: the start puts the boundary there, which --initial input does not");
   if (options.max_distortion > 0 && (options.initial == Initial::input || !options.cut))
     throw Error("--max-distortion: cuts, which --initial input and --no-cut do not allow");
+  if (options.max_distortion > 0 && (options.has_pins() || !options.aligned.empty()))
+    throw Error("--max-distortion: cuts, and may double vertices that are pinned or aligned");
   if (options.max_distortion > 0 && options.boundary != Boundary::free)
     throw Error("--max-distortion: cuts, and needs --boundary free");
 }
@@ -200,7 +226,8 @@ Options CommandLine::options() const {
     options.cut = !no_cut_;
     options.input_seams = seams_ == "input";
     options.holes = chosen<mesh::Holes>(
-        holes_, {{"short", mesh::Holes::keep_short}, {"none", mesh::Holes::cut_all}, {"all", mesh::Holes::keep_all}});
+        holes_,
+        {{"short", mesh::Holes::keep_short}, {"none", mesh::Holes::cut_all}, {"all", mesh::Holes::keep_all}});
     options.cut_tips = cut_tips_;
     options.max_distortion = max_distortion_;
     options.max_cuts = max_cuts_;
@@ -217,11 +244,14 @@ Options CommandLine::options() const {
     options.glb = glb_;
     options.pins = parse_pins(pins_);
     options.soft_pins = parse_soft_pins(soft_pins_);
+    add_aligned(horizontal_, true, options);
+    add_aligned(vertical_, false, options);
     options.newton = solve_options(projection_, gradient_tolerance_, solver_, ordering_);
     options.newton.max_iterations = max_iterations_;
     options.newton.time_limit = time_limit_;
     options.newton.max_expansion = max_expansion_;
-    if (options.out.empty()) throw Error("--out: the name of the folder is empty");
+    options.check = check_;
+    if (options.out.empty() && !options.check) throw Error("--out: a folder for the results is needed");
     require_consistent(options);
     return options;
   });

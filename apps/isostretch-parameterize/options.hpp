@@ -28,6 +28,11 @@ struct SoftPin {
   double weight = 1;
 };
 
+struct AlignedVertices {
+  std::vector<int> vertices;  // of the input
+  bool horizontal = true;     // they share v; otherwise u
+};
+
 enum class Initial { tutte, input };
 enum class Boundary { free, fixed, circle, square };
 enum class Pack { automatic, square, none };
@@ -36,6 +41,7 @@ struct Options {
   std::filesystem::path model;
   std::filesystem::path out;
   Initial initial = Initial::tutte;
+  bool check = false;  // only say what is wrong with the model
   bool triangulate = false;
   bool repair = false;
   bool cut = true;
@@ -43,7 +49,7 @@ struct Options {
   mesh::Holes holes = mesh::Holes::keep_short;
   int cut_tips = mesh::CutOptions().max_terminals;
   double max_distortion = 0;  // 0: no bound
-  int max_cuts = 100;         // for that bound
+  int max_cuts = 1000;        // for that bound
   Boundary boundary = Boundary::free;
   std::vector<int> corners;  // of the square, vertices of the input
   Pack pack = Pack::automatic;
@@ -53,6 +59,7 @@ struct Options {
   bool glb = false;
   std::vector<Pin> pins;
   std::vector<SoftPin> soft_pins;
+  std::vector<AlignedVertices> aligned;
   newton::Options newton;
 
   bool has_pins() const { return !pins.empty() || !soft_pins.empty(); }
@@ -82,7 +89,7 @@ class CommandLine {
 
   std::string model_, out_, energy_ = "symmetric_dirichlet", projection_ = "adaptive", initial_ = "tutte";
   std::string solver_ = "automatic", ordering_ = "automatic";
-  std::vector<std::string> parameters_, pins_, soft_pins_;
+  std::vector<std::string> parameters_, pins_, soft_pins_, horizontal_, vertical_;
   std::optional<double> gradient_tolerance_;
   double time_limit_ = 0;
   double max_expansion_ = newton::Options().max_expansion;
@@ -90,8 +97,8 @@ class CommandLine {
   std::string holes_ = "short", seams_ = "input", boundary_ = "free", corners_, pack_ = "auto";
   int cut_tips_ = Options().cut_tips, max_cuts_ = Options().max_cuts;
   double max_distortion_ = 0, margin_ = Options().margin;
-  bool triangulate_ = false, repair_ = false, no_cut_ = false, keep_normalized_ = false, no_picture_ = false,
-       glb_ = false;
+  bool check_ = false, triangulate_ = false, repair_ = false, no_cut_ = false, keep_normalized_ = false,
+       no_picture_ = false, glb_ = false;
 };
 
 }  // namespace isostretch::app::parameterize

@@ -3,7 +3,9 @@
 #include "common/newton_report.hpp"
 #include "common/output_folder.hpp"
 #include "common/terminal.hpp"
-#include "report.hpp"
+#include "model_picture.hpp"
+#include "report_page.hpp"
+#include "textured_glb.hpp"
 
 #include <isostretch/core/timer.hpp>
 #include <isostretch/mesh/io.hpp>
@@ -17,12 +19,17 @@ auto timed(double& seconds, Work&& work) {
   return work();
 }
 
-void write(OutputFolder& folder, const Result& result) {
+Pictures write(OutputFolder& folder, const Result& result) {
   const Options& options = result.options;
   const std::string stem = options.model.stem().string();
   folder.add(stem + "_uv.obj", mesh::format_obj(textured(result)));
   folder.add("trace.csv", trace_text(result));
-  if (options.picture) folder.add("layout.png", draw_layout(result));
+  if (options.glb) folder.add(stem + "_uv.glb", textured_glb(result));
+  if (!options.picture) return {};
+  Pictures pictures{draw_model(result), draw_layout(result)};
+  folder.add("layout.png", pictures.layout);
+  folder.add("model.png", pictures.model);
+  return pictures;
 }
 
 ExitCode conclude(const Result& result, const OutputFolder& folder, const CommonOptions& common) {
@@ -34,10 +41,17 @@ ExitCode conclude(const Result& result, const OutputFolder& folder, const Common
   return code;
 }
 
+ExitCode print_check(const Options& options) {
+  bool clean = false;
+  print(check_report(options, clean));
+  return clean ? ExitCode::success : ExitCode::input;
+}
+
 }  // namespace
 
 ExitCode parameterize(const Options& options, const energies::AnyEnergy& energy,
                       const CommonOptions& common) {
+  if (options.check) return print_check(options);
   const Timer timer;
   PhaseSeconds seconds;
   Domain domain = timed(seconds.read, [&] { return read_domain(options); });
@@ -46,9 +60,11 @@ ExitCode parameterize(const Options& options, const energies::AnyEnergy& energy,
   const Solution solution = solve(domain, start, energy, options);
   const Layout layout = lay_out(domain, start, solution, options);
   const Result result{options, energy, domain, start, solution, layout};
-  timed(seconds.write, [&] { write(folder, result); });
+  const Pictures pictures = timed(seconds.write, [&] { return write(folder, result); });
   seconds.total = timer.seconds();
-  folder.add_json("summary.json", summary_json(result, seconds));
+  const Json summary = summary_json(result, seconds);
+  folder.add_json("summary.json", summary);
+  if (options.picture) folder.add("report.html", report_page(result, summary, pictures));
   folder.commit();
   return conclude(result, folder, common);
 }

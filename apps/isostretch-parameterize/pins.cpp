@@ -1,12 +1,8 @@
 #include "pins.hpp"
 
 #include "common/exit_code.hpp"
-#include "common/interrupt.hpp"
-#include "common/terminal.hpp"
+#include "placement.hpp"
 #include "similarity.hpp"
-
-#include <isostretch/mesh/orientation.hpp>
-#include <isostretch/newton/minimize.hpp>
 
 #include <map>
 #include <set>
@@ -27,11 +23,6 @@ bool at_targets(const Vector& x, const Pins& pins) {
   return true;
 }
 
-void snap(Vector& x, const Pins& pins) {
-  for (const HardPin& pin : pins.hard)
-    if (pin.target) x.segment<2>(2 * pin.node) = *pin.target;
-}
-
 void align(Vector& x, const Pins& pins) {
   std::vector<Point2> from, to;
   for (const HardPin& pin : pins.hard)
@@ -43,36 +34,18 @@ void align(Vector& x, const Pins& pins) {
   for (Eigen::Index i = 0; i < x.size(); i += 2) x.segment<2>(i) = similarity(x.segment<2>(i));
 }
 
-// True and x moved onto the targets when that leaves no triangle turned over.
-bool snap_without_flips(Vector& x, const Pins& pins, const mesh::Triangles& triangles, int& culprit) {
-  Vector trial = x;
-  snap(trial, pins);
-  const auto flipped = mesh::orientation(points(trial), triangles).flipped;
-  if (!flipped.empty()) {
-    culprit = flipped.front();
-    return false;
-  }
-  x = trial;
-  return true;
+std::vector<Target> targets_of(const Pins& pins) {
+  std::vector<Target> targets;
+  for (const HardPin& pin : pins.hard)
+    if (pin.target) targets.push_back({pin.node, *pin.target});
+  return targets;
 }
 
-// A few iterations with the targets as soft pins of that weight.
-void pull(Vector& x, const Pins& pins, double weight, const assembly::Elements& elements,
-          const energies::AnyEnergy& energy, newton::Options options) {
-  newton::Objective objective(2, elements.node_count);
-  objective.add<newton::EnergyTerm>(elements, energy);
-  std::vector<newton::SoftPin> soft;
-  for (const HardPin& pin : pins.hard) {
-    if (pin.target)
-      soft.push_back({pin.node, {pin.target->x(), pin.target->y()}, weight});
-    else
-      objective.pin(pin.node);
-  }
-  objective.add<newton::SoftPinTerm>(2, elements.node_count, soft);
-  options.max_iterations = 30;
-  newton::minimize(objective, x, options, [](const auto&, const auto&) {
-    return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
-  });
+std::vector<int> kept_in_place(const Pins& pins) {
+  std::vector<int> kept;
+  for (const HardPin& pin : pins.hard)
+    if (!pin.target) kept.push_back(pin.node);
+  return kept;
 }
 
 }  // namespace
@@ -102,21 +75,13 @@ Pins Pins::of_chart(const Chart& chart) const {
   return own;
 }
 
-Vector positions(const mesh::Points2& uv) {
-  return Eigen::Map<const Vector>(uv.data(), uv.size());
-}
-
-mesh::Points2 points(const Vector& x) {
-  return Eigen::Map<const mesh::Points2>(x.data(), x.size() / 2, 2);
-}
-
 Pins resolve_pins(const Domain& domain, const Start& start, const Options& options) {
   Pins pins;
   std::set<int> hard;
   if (start.charts.size() > 1 && options.has_pins() && options.packs(start.charts.size()))
-    throw Failure(ExitCode::command_line, "--pin, --soft-pin: the surface falls into " +
-                                              std::to_string(start.charts.size()) +
-                                              " charts, which packing moves; say --pack none to keep them in place");
+    throw Failure(ExitCode::command_line,
+                  "--pin, --soft-pin: the surface falls into " + std::to_string(start.charts.size()) +
+                      " charts, which packing moves; say --pack none to keep them in place");
   for (const Pin& pin : options.pins) {
     HardPin resolved;
     resolved.node = open_vertex(domain, pin.vertex, "--pin");
@@ -142,18 +107,12 @@ void place_hard_pins(Vector& x, const Pins& pins, const assembly::Elements& elem
                      const energies::AnyEnergy& energy, const Chart& chart, const Options& options) {
   if (!has_targets(pins) || at_targets(x, pins)) return;
   align(x, pins);
-  if (!energy.has_barrier()) return snap(x, pins);
-  int culprit = -1;
-  if (snap_without_flips(x, pins, chart.mesh.triangles, culprit)) return;
-  notice("pulling the layout towards the pins first: moved there at once they turn triangles over");
-  for (double weight = 1; weight <= 1e6 && !interrupted(); weight *= 10) {
-    pull(x, pins, weight, elements, energy, options.newton);
-    if (snap_without_flips(x, pins, chart.mesh.triangles, culprit)) return;
-  }
-  if (interrupted())
-    throw Failure(ExitCode::not_converged, "interrupted before the layout took the pins; nothing is written");
-  throw Failure(ExitCode::input, "the hard pins cannot be reached without turning over triangle " +
-                                     std::to_string(chart.triangle[static_cast<std::size_t>(culprit)]) + "; move them or use --soft-pin");
+  const std::vector<Target> targets = targets_of(pins);
+  const int culprit = move_to(x, {[&](const Vector&) { return targets; }, kept_in_place(pins)}, elements,
+                              energy, chart, options);
+  if (culprit >= 0)
+    throw Failure(ExitCode::input, "the hard pins cannot be reached without turning over triangle " +
+                                       std::to_string(culprit) + "; move them or use --soft-pin");
 }
 
 }  // namespace isostretch::app::parameterize

@@ -27,10 +27,6 @@ struct Pins {
   Pins of_chart(const Chart& chart) const;
 };
 
-// Node by node, the order the solver wants.
-Vector positions(const mesh::Points2& uv);
-mesh::Points2 points(const Vector& x);
-
 // The pins on the command line in the solver's numbers and units. Throws Failure (ExitCode::command_line) for
 // vertices that do not exist or are not one in the layout, for a vertex pinned both ways, and for charts that
 // are going to be packed.

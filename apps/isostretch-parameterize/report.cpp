@@ -35,12 +35,47 @@ Json pins_json(const Options& options) {
 
 const char* boundary_name(Boundary boundary) {
   switch (boundary) {
-    case Boundary::free: return "free";
-    case Boundary::fixed: return "fixed";
-    case Boundary::circle: return "circle";
-    case Boundary::square: return "square";
+    case Boundary::free:
+      return "free";
+    case Boundary::fixed:
+      return "fixed";
+    case Boundary::circle:
+      return "circle";
+    case Boundary::square:
+      return "square";
   }
   return "";
+}
+
+const char* holes_name(mesh::Holes holes) {
+  switch (holes) {
+    case mesh::Holes::keep_short:
+      return "short";
+    case mesh::Holes::cut_all:
+      return "none";
+    case mesh::Holes::keep_all:
+      return "all";
+  }
+  return "";
+}
+
+const char* pack_name(Pack pack) {
+  switch (pack) {
+    case Pack::automatic:
+      return "auto";
+    case Pack::square:
+      return "square";
+    case Pack::none:
+      return "none";
+  }
+  return "";
+}
+
+Json aligned_json(const Options& options) {
+  Json json = Json::array();
+  for (const AlignedVertices& line : options.aligned)
+    json.push_back({{"vertices", line.vertices}, {"kind", line.horizontal ? "horizontal" : "vertical"}});
+  return json;
 }
 
 Json options_json(const Options& options) {
@@ -55,9 +90,18 @@ Json options_json(const Options& options) {
           {"solver", sparse::backend_name(solve.solver.backend)},
           {"ordering", sparse::ordering_name(solve.solver.ordering)},
           {"boundary", boundary_name(options.boundary)},
+          {"corners", options.corners},
+          {"aligned", aligned_json(options)},
+          {"triangulate", options.triangulate},
           {"repair", options.repair},
+          {"cut", options.cut},
           {"input_seams", options.input_seams},
+          {"holes", holes_name(options.holes)},
+          {"cut_tips", options.cut_tips},
           {"max_distortion", options.max_distortion},
+          {"max_cuts", options.max_cuts},
+          {"pack", pack_name(options.pack)},
+          {"margin", options.margin},
           {"keep_normalized", options.keep_normalized},
           {"pins", pins_json(options)}};
 }
@@ -131,7 +175,8 @@ std::string verdict(const Result& r) {
     parts.push_back(std::string(newton::status_name(summary.status)) + ": " + summary.message);
   if (missed_bound(r))
     parts.push_back("the largest distortion is " + exact_text(r.solution.worst_distortion) + ", not " +
-                    exact_text(r.options.max_distortion) + ", after " + std::to_string(r.solution.cuts) + " cuts");
+                    exact_text(r.options.max_distortion) + ", after " + std::to_string(r.solution.cuts) +
+                    " cuts");
   if (!r.layout.flipped.empty())
     parts.push_back(std::to_string(r.layout.flipped.size()) +
                     " triangle(s) of the result are turned over, the first is " +

@@ -1,10 +1,12 @@
 #include "solve.hpp"
 
+#include "alignment.hpp"
 #include "chart_runs.hpp"
 #include "common/interrupt.hpp"
 #include "common/newton_report.hpp"
 #include "common/terminal.hpp"
 #include "further_cut.hpp"
+#include "placement.hpp"
 
 #include <isostretch/core/timer.hpp>
 #include <isostretch/newton/minimize.hpp>
@@ -23,6 +25,7 @@ class Solver {
     solution_.uv = start.uv;
     solution_.stretches.assign(2 * static_cast<std::size_t>(domain.open().triangles.rows()), 1.0);
     pins_ = resolve_pins(domain, start, options);
+    lines_ = resolve_lines(domain, start, options);
     soft_pin_energy_.assign(start.charts.size(), 0.0);
   }
 
@@ -57,19 +60,25 @@ class Solver {
     const Pins pins = pins_.of_chart(chart);
     const assembly::Elements elements = assembly::elements_from(chart.rest);
     Vector x = positions(chart.gather(solution_.uv));
+    const std::vector<Line> lines = lines_of_chart(lines_, chart);
     place_hard_pins(x, pins, elements, energy_, chart, options_);
+    place_lines(x, lines, pins, elements, energy_, chart, options_);
 
     newton::Objective objective(2, elements.node_count);
     const auto& term = objective.add<newton::EnergyTerm>(elements, energy_);
     auto& soft_pins = objective.add<newton::SoftPinTerm>(2, elements.node_count, pins.soft);
     for (const HardPin& pin : pins.hard) objective.pin(pin.node);
     for (const int vertex : chart.held_boundary) objective.pin(vertex);
+    tie_lines(objective, lines);
 
-    Run run{number, newton::minimize(objective, x, newton_options(), [&](const newton::Iteration& row, const Vector&) {
-              return watch(row, static_cast<std::size_t>(number));
-            })};
+    Run run{
+        number, solution_.cuts == 0,
+        newton::minimize(objective, x, newton_options(), [&](const newton::Iteration& row, const Vector&) {
+          return watch(row, static_cast<std::size_t>(number));
+        })};
     clear_progress();
-    if (run.summary.status == newton::Status::stopped_by_callback) run.summary.message = "interrupted (Ctrl-C)";
+    if (run.summary.status == newton::Status::stopped_by_callback)
+      run.summary.message = "interrupted (Ctrl-C)";
     solution_.runs.push_back(std::move(run));
     chart.scatter(points(x), solution_.uv);
     soft_pin_energy_[static_cast<std::size_t>(number)] = soft_pins.value(x).value;
@@ -83,12 +92,36 @@ class Solver {
   void cut_further() {
     while (solution_.cuts < options_.max_cuts && !interrupted() && !out_of_time()) {
       const int vertex = worst_vertex(domain_, solution_.stretches, options_.max_distortion);
-      if (vertex < 0) return;
-      const int chart = cut_at(domain_, vertex, solution_.uv);
-      start_.charts[static_cast<std::size_t>(chart)] = make_chart(domain_, start_, chart);
+      const int triangle =
+          vertex < 0 ? worst_triangle(domain_, solution_.stretches, options_.max_distortion) : -1;
+      if (vertex < 0 && triangle < 0) return;
       ++solution_.cuts;
-      solve_chart(chart);
+      vertex >= 0 ? lengthen_cut(vertex) : divide_chart(triangle);
     }
+  }
+
+  void lengthen_cut(int vertex) {
+    const int chart = cut_at(domain_, vertex, solution_.uv);
+    start_.charts[static_cast<std::size_t>(chart)] = make_chart(domain_, start_, chart);
+    solve_chart(chart);
+  }
+
+  // A triangle with all corners on the boundary can only be cut off.
+  void divide_chart(int triangle) {
+    const std::vector<int> part_of = cut_off(domain_, triangle, solution_.uv, options_);
+    std::vector<Chart> charts;
+    std::vector<int> parts(start_.charts.size(), 0), number(start_.charts.size(), 0);
+    for (std::size_t c = 0; c < part_of.size(); ++c) {
+      const auto whole = static_cast<std::size_t>(part_of[c]);
+      charts.push_back(make_chart(domain_, start_, static_cast<int>(c)));
+      charts.back().method = start_.charts[whole].method;
+      if (parts[whole]++ == 0) number[whole] = static_cast<int>(c);
+    }
+    start_.charts = std::move(charts);
+    soft_pin_energy_.assign(start_.charts.size(), 0.0);  // pins and further cuts exclude each other
+    for (Run& run : solution_.runs) run.chart = number[static_cast<std::size_t>(run.chart)];
+    for (std::size_t c = 0; c < part_of.size(); ++c)
+      if (parts[static_cast<std::size_t>(part_of[c])] > 1) solve_chart(static_cast<int>(c));
   }
 
   bool out_of_time() const {
@@ -101,6 +134,7 @@ class Solver {
   const Options& options_;
   Timer timer_;
   Pins pins_;
+  std::vector<Line> lines_;
   std::vector<double> soft_pin_energy_;  // of every chart
   Solution solution_;
 };

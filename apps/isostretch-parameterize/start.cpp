@@ -46,7 +46,8 @@ mesh::ElementArrays elements_of(const Chart& chart, const mesh::ElementArrays& w
     const auto from = static_cast<std::size_t>(chart.triangle[t]);
     for (int c = 0; c < 3; ++c) rest.nodes.push_back(chart.mesh.triangles(static_cast<Eigen::Index>(t), c));
     const auto gradients = whole.gradients.begin() + static_cast<std::ptrdiff_t>(from * per_element);
-    rest.gradients.insert(rest.gradients.end(), gradients, gradients + static_cast<std::ptrdiff_t>(per_element));
+    rest.gradients.insert(rest.gradients.end(), gradients,
+                          gradients + static_cast<std::ptrdiff_t>(per_element));
     rest.weights.push_back(whole.weights[from]);
   }
   return rest;
@@ -102,7 +103,8 @@ std::string held_flat(const Chart& chart, const std::vector<int>& flipped) {
   return "";
 }
 
-void embed(const Domain& domain, const Options& options, const std::string& name, Chart& chart, Start& start) {
+void embed(const Domain& domain, const Options& options, const std::string& name, Chart& chart,
+           Start& start) {
   atlas::StartOptions how;
   how.tutte.solver = options.newton.solver;
   how.tutte.boundary =
@@ -160,7 +162,8 @@ Start make_start(const Domain& domain, const energies::AnyEnergy& energy, const 
     if (options.initial == Initial::input) start.uv = domain.input_uv / start.unit_length;
     std::vector<mesh::Part> parts = mesh::split(domain.open(), domain.cut.chart);
     if (!options.corners.empty() && parts.size() > 1)
-      throw Failure(ExitCode::command_line, "--corners: the surface falls into " + std::to_string(parts.size()) +
+      throw Failure(ExitCode::command_line, "--corners: the surface falls into " +
+                                                std::to_string(parts.size()) +
                                                 " charts; only one can have corners");
     for (mesh::Part& part : parts) {
       Chart chart = from_part(std::move(part), start.rest);

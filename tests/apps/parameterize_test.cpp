@@ -59,7 +59,8 @@ TEST_CASE("a face is flattened and everything is written") {
   CHECK(run.err.empty());
   CHECK(run.out.find("converged") != std::string::npos);
   CHECK(scratch.contents() == std::vector<std::string>{"face.obj", "out", "out/face_uv.obj", "out/layout.png",
-                                                       "out/summary.json", "out/trace.csv"});
+                                                       "out/model.png", "out/report.html", "out/summary.json",
+                                                       "out/trace.csv"});
   const auto summary = read_json(scratch.path("out/summary.json"));
   const mesh::SurfaceMesh input = mesh::read_obj(model),
                           result = mesh::read_obj(scratch.path("out/face_uv.obj"));

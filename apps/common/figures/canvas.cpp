@@ -1,5 +1,7 @@
 #include "common/figures/canvas.hpp"
 
+#include "common/utf8.hpp"
+
 #include <isostretch/core/error.hpp>
 
 #include <cairo.h>
@@ -101,15 +103,15 @@ void Canvas::text(Point at, const std::string& text, const TextStyle& style) {
                       : style.down == Align::middle ? 0.365 * style.size
                                                     : -font.descent;
   cairo_move_to(cr, left, base);
-  cairo_show_text(cr, text.c_str());
-  cairo_new_path(cr);  // or the next line would begin at the end of this text
+  cairo_show_text(cr, valid_utf8(text).c_str());  // anything else it refuses
+  cairo_new_path(cr);                             // or the next line would begin at the end of this text
   cairo_restore(cr);
 }
 
 double Canvas::text_width(const std::string& text, const TextStyle& style) {
   cairo_text_extents_t extents;
   state_->use(style);
-  cairo_text_extents(state_->cr(), text.c_str(), &extents);
+  cairo_text_extents(state_->cr(), valid_utf8(text).c_str(), &extents);
   return extents.x_advance;
 }
 

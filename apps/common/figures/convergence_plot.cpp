@@ -14,7 +14,8 @@ constexpr LineStyle grid_style{{0.5, 0.5, 0.5}, 0.6, 0.35};
 struct Series {
   std::string name;
   Color color;
-  std::vector<double> values;  // one per row of the trace; those that are not positive are left out
+  std::vector<double> values;   // one per row of the trace; those that are not positive are left out
+  std::vector<int> piece = {};  // of every row, where the curve is broken between pieces
 };
 
 std::vector<double> energy_above_best(const std::vector<newton::Iteration>& trace) {
@@ -61,15 +62,29 @@ void draw_vertical_ticks(Canvas& canvas, const Box& box, const Axis& axis, bool 
   }
 }
 
+void draw_pieces(Canvas& canvas, const std::vector<Point>& points, const std::vector<int>& piece,
+                 const LineStyle& style) {
+  for (std::size_t i = 0, next = 0; i < points.size(); i = next) {
+    while (next < points.size() && piece[next] == piece[i]) ++next;
+    const auto first = points.begin();
+    canvas.polyline({first + static_cast<std::ptrdiff_t>(i), first + static_cast<std::ptrdiff_t>(next)},
+                    style);
+  }
+}
+
 void draw_curve(Canvas& canvas, const Box& box, const Axis& x_axis, const std::vector<double>& x,
                 const Axis& y_axis, const Series& series) {
   std::vector<Point> points;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    if (shown(series.values[i]))
-      points.push_back({box.x + box.width * x_axis.position(x[i]),
-                        box.bottom() - box.height * y_axis.position(series.values[i])});
-  canvas.polyline(points, {series.color, 2, 1});
-  const double radius = points.size() > 60 ? 1.8 : 3;
+  std::vector<int> piece;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!shown(series.values[i])) continue;
+    points.push_back({box.x + box.width * x_axis.position(x[i]),
+                      box.bottom() - box.height * y_axis.position(series.values[i])});
+    piece.push_back(series.piece.empty() ? 0 : series.piece[i]);
+  }
+  const bool many = points.size() > 200;  // dots would run together
+  draw_pieces(canvas, points, piece, {series.color, many ? 1.0 : 2.0, 1});
+  const double radius = many ? 0.5 : points.size() > 60 ? 1.8 : 3;
   for (const Point& p : points) canvas.dot(p, radius, series.color);
   if (points.empty())
     canvas.text({box.x + 0.5 * box.width, box.y + 0.5 * box.height}, "nothing above zero",
@@ -78,7 +93,8 @@ void draw_curve(Canvas& canvas, const Box& box, const Axis& x_axis, const std::v
 
 }  // namespace
 
-void draw_convergence(Canvas& canvas, const Box& box, const std::vector<newton::Iteration>& trace) {
+void draw_convergence(Canvas& canvas, const Box& box, const std::vector<newton::Iteration>& trace,
+                      const std::vector<int>& chart_of_row) {
   if (trace.empty()) {
     canvas.text({box.x + 0.5 * box.width, box.y + 0.5 * box.height}, "no iterations",
                 {.across = Align::middle});
@@ -90,7 +106,7 @@ void draw_convergence(Canvas& canvas, const Box& box, const std::vector<newton::
   const std::vector<double>* xs[] = {&iterations, &seconds};
   const char* const x_names[] = {"iterations", "seconds"};
   const Series series[] = {{"energy − best", {0.10, 0.36, 0.65}, energy_above_best(trace)},
-                           {"|gradient|∞", {0.80, 0.33, 0.05}, gradient_norms(trace)}};
+                           {"|gradient|∞", {0.80, 0.33, 0.05}, gradient_norms(trace), chart_of_row}};
 
   constexpr double left = 62, gap = 22, title = 24, foot = 44;
   const double width = (box.width - left - gap) / 2;

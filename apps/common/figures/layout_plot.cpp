@@ -1,5 +1,7 @@
 #include "common/figures/layout_plot.hpp"
 
+#include "common/figures/edges.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +17,9 @@ constexpr std::size_t few_flips = 200;
 // uv to pixels: the layout centred in the box, v upwards.
 class Fit {
  public:
-  Fit(const mesh::Points2& uv, const Box& box) {
-    const Eigen::RowVector2d low = uv.colwise().minCoeff(), high = uv.colwise().maxCoeff();
+  Fit(const LayoutData& data, const Box& box) {
+    Eigen::RowVector2d low = data.uv.colwise().minCoeff(), high = data.uv.colwise().maxCoeff();
+    if (data.unit_square) low = low.cwiseMin(0.0), high = high.cwiseMax(1.0);
     const Eigen::RowVector2d size = (high - low).cwiseMax(1e-300);
     scale_ = std::min(box.width / size.x(), box.height / size.y());
     center_ = 0.5 * (low + high);
@@ -52,29 +55,15 @@ Raster rasterize(const LayoutData& data, const Fit& fit, const Box& box, const D
   return raster;
 }
 
-struct Edges {
-  std::vector<std::array<int, 2>> inner, boundary;
-};
-
-Edges edges_of(const mesh::Triangles& triangles) {
-  std::vector<std::array<int, 2>> all;
-  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
-    for (int c = 0; c < 3; ++c) {
-      const auto [low, high] = std::minmax(triangles(t, c), triangles(t, (c + 1) % 3));
-      all.push_back({low, high});
-    }
-  std::sort(all.begin(), all.end());
-  Edges edges;
-  for (std::size_t i = 0, next = 0; i < all.size(); i = next) {
-    while (next < all.size() && all[next] == all[i]) ++next;
-    (next - i == 1 ? edges.boundary : edges.inner).push_back(all[i]);
-  }
-  return edges;
-}
-
 void draw_edges(Canvas& canvas, const std::vector<std::array<int, 2>>& edges, const LayoutData& data,
                 const Fit& fit, const LineStyle& style) {
   for (const auto& [a, b] : edges) canvas.line(fit(data.uv.row(a)), fit(data.uv.row(b)), style);
+}
+
+void draw_unit_square(Canvas& canvas, const Fit& fit) {
+  const Point corner = fit({0, 1}), opposite = fit({1, 0});
+  canvas.frame({corner.x, corner.y, opposite.x - corner.x, opposite.y - corner.y},
+               {.color = {0.5, 0.5, 0.5}, .width = 1, .opacity = 0.7});
 }
 
 // Flipped triangles are often too small to be seen.
@@ -110,8 +99,9 @@ void draw_ticks(Canvas& canvas, const Box& bar, const DistortionScale& scale) {
 
 void draw_layout(Canvas& canvas, const Box& box, const LayoutData& data, const DistortionScale& scale) {
   if (data.uv.rows() == 0 || !data.uv.allFinite()) return;
-  const Fit fit(data.uv, {box.x + 2, box.y + 2, box.width - 4, box.height - 4});
+  const Fit fit(data, {box.x + 2, box.y + 2, box.width - 4, box.height - 4});
   canvas.image(rasterize(data, fit, box, scale), {box.x, box.y});
+  if (data.unit_square) draw_unit_square(canvas, fit);
   const Edges edges = edges_of(data.triangles);
   if (data.triangles.rows() <= few_triangles)
     draw_edges(canvas, edges.inner, data, fit, {.color = {0.1, 0.1, 0.1}, .width = 0.5, .opacity = 0.35});

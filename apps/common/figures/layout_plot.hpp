@@ -16,6 +16,7 @@ struct LayoutData {
   const std::vector<double>& distortions;  // per triangle
   const std::vector<int>& flipped;         // triangles turned over, drawn last and in their own colour
   const std::vector<int>& pins;            // vertices to mark
+  bool unit_square = false;                // to draw around it: charts are packed there
 };
 
 // Fits the layout into the box and draws it coloured by distortion, with its outline, and with its edges when

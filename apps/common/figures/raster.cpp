@@ -1,5 +1,7 @@
 #include "common/figures/raster.hpp"
 
+#include "common/figures/scan_triangle.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,26 +9,8 @@ namespace isostretch::app::figures {
 namespace {
 
 std::uint32_t packed(Color color) {
-  const auto byte = [](double c) { return static_cast<std::uint32_t>(std::lround(255 * c)); };
+  const auto byte = [](double c) { return static_cast<std::uint32_t>(255 * c + 0.5); };
   return byte(color.r) << 16U | byte(color.g) << 8U | byte(color.b);
-}
-
-// Where the line from a to b crosses the row y widens the span [left, right].
-struct Span {
-  double left = HUGE_VAL, right = -HUGE_VAL;
-
-  void cross(const double* a, const double* b, double y) {
-    if ((a[1] <= y) == (b[1] <= y)) return;
-    const double x = a[0] + (b[0] - a[0]) * ((y - a[1]) / (b[1] - a[1]));
-    left = std::min(left, x);
-    right = std::max(right, x);
-  }
-};
-
-// First sample centre at or beyond a coordinate, kept in [0, count]; NaN gives 0.
-int first_sample(double coordinate, int count) {
-  const double c = std::ceil(coordinate - 0.5);
-  return c > 0 ? static_cast<int>(std::min(c, static_cast<double>(count))) : 0;
 }
 
 }  // namespace
@@ -40,18 +24,16 @@ Raster::Raster(int width, int height, Color background)
 void Raster::fill_triangle(const double (&corners)[6], Color color) {
   double p[6];
   for (int i = 0; i < 6; ++i) p[i] = corners[i] * samples;
-  const int columns = width_ * samples, rows = height_ * samples;
   const std::uint32_t value = packed(color);
-  const int last = first_sample(std::max({p[1], p[3], p[5]}), rows);
-  for (int row = first_sample(std::min({p[1], p[3], p[5]}), rows); row < last; ++row) {
-    Span span;
-    span.cross(p, p + 2, row + 0.5);
-    span.cross(p + 2, p + 4, row + 0.5);
-    span.cross(p + 4, p, row + 0.5);
-    const int from = first_sample(span.left, columns), to = first_sample(span.right, columns);
-    const auto start = samples_.begin() + static_cast<std::ptrdiff_t>(row) * columns;
-    if (from < to) std::fill(start + from, start + to, value);
-  }
+  scan_triangle(p, columns(), rows(), [&](int row, int from, int to) {
+    const auto start = samples_.begin() + static_cast<std::ptrdiff_t>(row) * columns();
+    std::fill(start + from, start + to, value);
+  });
+}
+
+void Raster::set_sample(int column, int row, Color color) {
+  samples_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns()) +
+           static_cast<std::size_t>(column)] = packed(color);
 }
 
 std::vector<std::uint32_t> Raster::pixels() const {

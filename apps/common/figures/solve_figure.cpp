@@ -23,7 +23,7 @@ std::string draw_solve(const SolveFigure& figure) {
   canvas.text({scale_box.right(), scale_box.y - 34}, "|J|² + |J⁻¹|² (4: isometric)",
               {.size = 12, .across = Align::end});
   draw_distortion_scale(canvas, scale_box, scale);
-  draw_convergence(canvas, convergence, figure.trace);
+  draw_convergence(canvas, convergence, figure.trace, figure.chart_of_row);
   return canvas.png();
 }
 

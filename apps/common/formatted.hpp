@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace isostretch::app {
+
+// What printf would print, of any length.
+template <class... Arguments>
+std::string formatted(const char* pattern, Arguments... arguments) {
+  std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, pattern, arguments...)), '\0');
+  std::snprintf(text.data(), text.size() + 1, pattern, arguments...);
+  return text;
+}
+
+// 1234567 as "1,234,567".
+inline std::string with_thousands(long long count) {
+  std::string text = std::to_string(count);
+  const std::size_t first = count < 0 ? 1 : 0;
+  for (std::size_t i = text.size(); i > first + 3;) text.insert(i -= 3, 1, ',');
+  return text;
+}
+
+}  // namespace isostretch::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isostretch::app::html {
+
+// Text as a browser shows it unchanged, also between the quotes of an attribute.
+std::string escaped(std::string_view text);
+
+// <name attributes>content</name>; attributes and content are taken as they are.
+std::string element(const std::string& name, const std::string& content, const std::string& attributes = {});
+// The same on lines of its own.
+std::string block(const std::string& name, const std::string& content, const std::string& attributes = {});
+
+// A PNG inside the page itself, with its caption below; the texts are escaped.
+std::string figure(std::string_view png, const std::string& description, const std::string& caption);
+
+struct Column {
+  std::string name;
+  bool number = false;  // to the right
+};
+
+// Cells are text and are escaped. Without names of columns there is no head.
+std::string table(const std::vector<Column>& columns, const std::vector<std::vector<std::string>>& rows);
+
+// A whole page that needs nothing else; title is text, style and body are taken as they are.
+std::string page(const std::string& title, const std::string& style, const std::string& body);
+
+}  // namespace isostretch::app::html

@@ -1,0 +1,51 @@
+#include "report_page.hpp"
+
+#include "common/html.hpp"
+#include "report_style.hpp"
+#include "report_tables.hpp"
+#include "report_warnings.hpp"
+
+#include <cctype>
+
+namespace isostretch::app::parameterize {
+namespace {
+
+std::string sentence(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
+std::string verdict_box(const Result& r) {
+  const bool good = exit_code(r) == ExitCode::success;
+  return html::block("p", html::escaped(sentence(verdict(r))),
+                     good ? "class=\"verdict\"" : "class=\"verdict bad\"");
+}
+
+std::string warning_list(const Json& summary) {
+  std::string items;
+  for (const std::string& warning : report_warnings(summary))
+    items += html::block("li", html::escaped(warning));
+  return items.empty() ? "" : html::block("ul", items, "class=\"warnings\"");
+}
+
+}  // namespace
+
+std::string report_page(const Result& r, const Json& summary, const Pictures& pictures) {
+  const std::string name = r.options.model.filename().string();
+  std::string body = html::block("h1", html::escaped(name)) + verdict_box(r) + warning_list(summary);
+  body += html::figure(
+      pictures.model, "The model with the layout on it as a checkerboard",
+      "The model from the front and from behind. Squares keep their size and shape where the layout "
+      "keeps lengths; dark lines are seams and boundaries.");
+  body += html::figure(
+      pictures.layout, "The layout, coloured by distortion, and the convergence of the solve",
+      "The layout. Pale where lengths are kept, dark where they are not; right, how the energy and "
+      "its gradient fell.");
+  body += html::block("h2", "Facts") + facts(summary);
+  body += html::block("h2", "Charts") + chart_table(summary.at("charts"));
+  body += html::block("h2", "Options") + option_table(summary);
+  body += html::block("footer", "isostretch-parameterize " + summary.at("version").get<std::string>());
+  return html::page(name + ", flattened", report_style, body);
+}
+
+}  // namespace isostretch::app::parameterize

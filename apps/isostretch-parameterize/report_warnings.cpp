@@ -1,0 +1,45 @@
+#include "report_warnings.hpp"
+
+#include "common/formatted.hpp"
+
+#include <algorithm>
+
+namespace isostretch::app::parameterize {
+namespace {
+
+std::string turned_over(const Json& count) {
+  return with_thousands(count) + (count == 1 ? " triangle is turned over" : " triangles are turned over");
+}
+
+// Largest factor by which a length is stretched or shrunk; NaN where that is not finite.
+double worst_factor(const Json& distortion) {
+  const Json &low = distortion.at("min_sigma"), &high = distortion.at("max_sigma");
+  if (!low.is_number() || !high.is_number() || low <= 0) return std::numeric_limits<double>::quiet_NaN();
+  return std::max(high.get<double>(), 1 / low.get<double>());
+}
+
+std::size_t not_converged(const Json& charts) {
+  return static_cast<std::size_t>(std::count_if(charts.begin(), charts.end(), [](const Json& chart) {
+    return chart.contains("status") && !chart["status"].get<std::string>().starts_with("converged");
+  }));
+}
+
+}  // namespace
+
+std::vector<std::string> report_warnings(const Json& s) {
+  std::vector<std::string> warnings;
+  if (s.at("flipped") > 0) warnings.push_back(turned_over(s["flipped"]) + " in the layout.");
+  if (s.at("initial_flipped") > 0) warnings.push_back(turned_over(s["initial_flipped"]) + " in the start.");
+  if (!s.at("converged").get<bool>())
+    warnings.push_back("The solve did not converge: " + s.at("message").get<std::string>() + ".");
+  const std::size_t stopped = not_converged(s.at("charts"));
+  if (stopped > 0 && s["charts"].size() > 1)
+    warnings.push_back(formatted("%zu of %zu charts did not converge.", stopped, s["charts"].size()));
+  const double bound = s.at("options").at("max_distortion"), worst = worst_factor(s.at("distortion"));
+  if (bound > 0 && !(worst <= bound))
+    warnings.push_back(
+        formatted("The largest distortion is %.4g, more than the %.4g asked for.", worst, bound));
+  return warnings;
+}
+
+}  // namespace isostretch::app::parameterize

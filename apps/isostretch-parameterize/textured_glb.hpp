@@ -1,0 +1,13 @@
+#pragma once
+
+#include "report.hpp"
+
+#include <string>
+
+namespace isostretch::app::parameterize {
+
+// The result as binary glTF with a checkerboard in it, whose squares are those of model.png. Its uv are
+// scaled so that the texture repeats, and are those of the OBJ otherwise.
+std::string textured_glb(const Result& result);
+
+}  // namespace isostretch::app::parameterize
