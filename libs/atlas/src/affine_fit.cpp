@@ -15,7 +15,8 @@ void for_each_gradient(const mesh::ElementArrays& rest, const mesh::Points2& uv,
     for (std::size_t c = 0; c < 3; ++c)
       for (int i = 0; i < 2; ++i)
         for (int j = 0; j < 2; ++j)
-          F(i, j) += uv(rest.nodes[3 * t + c], i) * rest.gradients[6 * t + 2 * c + static_cast<std::size_t>(j)];
+          F(i, j) +=
+              uv(rest.nodes[3 * t + c], i) * rest.gradients[6 * t + 2 * c + static_cast<std::size_t>(j)];
     visit(F, F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0), rest.weights[t]);
   }
 }
@@ -46,8 +47,8 @@ double stretch_energy(const mesh::ElementArrays& rest, const mesh::Points2& uv) 
   return sum;
 }
 
-// With F -> A F and S = A^T A the energy is tr(S M) + tr(S^-1 N), M = sum w F F^T, N = sum w F^-T F^-1, smallest where
-// S M S = N.
+// With F -> A F and S = A^T A the energy is tr(S M) + tr(S^-1 N), M = sum w F F^T, N = sum w F^-T F^-1,
+// smallest where S M S = N.
 void fit_affinely(const mesh::ElementArrays& rest, mesh::Points2& uv) {
   Matrix2 M = Matrix2::Zero(), N = Matrix2::Zero();
   for_each_gradient(rest, uv, [&](const Matrix2& F, double, double weight) {

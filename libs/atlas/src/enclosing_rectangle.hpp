@@ -4,8 +4,8 @@
 
 namespace isostretch::atlas {
 
-// The direction (a unit vector) of the longer side of the smallest rectangle around the points; of the x axis when
-// they are all the same.
+// The direction (a unit vector) of the longer side of the smallest rectangle around the points; of the x axis
+// when they are all the same.
 struct Direction {
   double x = 1, y = 0;
 };

@@ -12,12 +12,15 @@
 namespace isostretch::atlas {
 namespace {
 
-void require_packable(const std::vector<mesh::Points2>& charts, const std::vector<mesh::Triangles>& triangles) {
+void require_packable(const std::vector<mesh::Points2>& charts,
+                      const std::vector<mesh::Triangles>& triangles) {
   if (charts.size() != triangles.size())
-    throw Error("pack: " + std::to_string(charts.size()) + " charts but triangles of " + std::to_string(triangles.size()));
+    throw Error("pack: " + std::to_string(charts.size()) + " charts but triangles of " +
+                std::to_string(triangles.size()));
   for (std::size_t c = 0; c < charts.size(); ++c) {
     if (triangles[c].rows() == 0) throw Error("pack: chart " + std::to_string(c) + " has no triangles");
-    if (!charts[c].allFinite()) throw Error("pack: chart " + std::to_string(c) + " has a point that is not finite");
+    if (!charts[c].allFinite())
+      throw Error("pack: chart " + std::to_string(c) + " has a point that is not finite");
   }
 }
 
@@ -34,14 +37,15 @@ void lay_down(mesh::Points2& chart) {
 Rectangle bounds(mesh::Points2& chart) {
   double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
   for (Eigen::Index i = 0; i < chart.rows(); ++i)
-    for (int d = 0; d < 2; ++d) low[d] = std::min(low[d], chart(i, d)), high[d] = std::max(high[d], chart(i, d));
+    for (int d = 0; d < 2; ++d)
+      low[d] = std::min(low[d], chart(i, d)), high[d] = std::max(high[d], chart(i, d));
   for (Eigen::Index i = 0; i < chart.rows(); ++i)
     for (int d = 0; d < 2; ++d) chart(i, d) -= low[d];
   return {high[0] - low[0], high[1] - low[1]};
 }
 
-// Rectangles grown by the gap between charts; the square then loses one gap along its border. The gap is a fraction
-// of the side that comes out, hence a few rounds.
+// Rectangles grown by the gap between charts; the square then loses one gap along its border. The gap is a
+// fraction of the side that comes out, hence a few rounds.
 double place(std::vector<Rectangle>& rectangles, double margin) {
   const std::vector<Rectangle> bare = rectangles;
   constexpr int most_rounds = 20;  // each brings the gap nearer to its fixed point, if there is one
@@ -66,7 +70,8 @@ double place(std::vector<Rectangle>& rectangles, double margin) {
 Packing pack(std::vector<mesh::Points2>& charts, const std::vector<mesh::Triangles>& triangles,
              const PackOptions& options) {
   require_packable(charts, triangles);
-  if (!(options.margin >= 0) || options.margin > 0.25) throw Error("pack: the margin must be between 0 and 0.25");
+  if (!(options.margin >= 0) || options.margin > 0.25)
+    throw Error("pack: the margin must be between 0 and 0.25");
   if (charts.empty()) return {};
   std::vector<Rectangle> rectangles;
   for (mesh::Points2& chart : charts) {
@@ -78,7 +83,8 @@ Packing pack(std::vector<mesh::Points2>& charts, const std::vector<mesh::Triangl
   packing.scale = 1 / side;
   for (std::size_t c = 0; c < charts.size(); ++c) {
     for (Eigen::Index i = 0; i < charts[c].rows(); ++i)
-      charts[c].row(i) << (charts[c](i, 0) + rectangles[c].x) / side, (charts[c](i, 1) + rectangles[c].y) / side;
+      charts[c].row(i) << (charts[c](i, 0) + rectangles[c].x) / side,
+          (charts[c](i, 1) + rectangles[c].y) / side;
     packing.coverage += mesh::orientation(charts[c], triangles[c]).total_area;
   }
   return packing;

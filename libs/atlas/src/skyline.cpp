@@ -32,8 +32,8 @@ class Skyline {
 
   double end(std::size_t i) const { return i + 1 < steps_.size() ? steps_[i + 1].x : width_; }
 
-  // Where a piece of that width that begins with step i comes to lie; infinite when it would stick out, unless it
-  // fits nowhere.
+  // Where a piece of that width that begins with step i comes to lie; infinite when it would stick out,
+  // unless it fits nowhere.
   double height_over(std::size_t i, double piece) const {
     const double to = steps_[i].x + piece;
     if (i > 0 && to > width_) return HUGE_VAL;
@@ -78,9 +78,8 @@ void round_up(std::vector<Rectangle>& rectangles) {
 double place_on_skyline(std::vector<Rectangle>& rectangles, double strip_width) {
   std::vector<std::size_t> order(rectangles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return rectangles[a].height > rectangles[b].height;
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return rectangles[a].height > rectangles[b].height; });
   Skyline skyline(strip_width);
   double top = 0;
   for (const std::size_t i : order) {
@@ -102,7 +101,8 @@ double place_in_square(std::vector<Rectangle>& rectangles) {
   const int tries = rectangles.size() < 1000 ? 40 : 8;  // each is quadratic in the worst case
   for (int i = 0; i <= tries; ++i) {
     // The side lies between that of a perfect packing and twice that, unless one rectangle is wider.
-    const double width = std::max(widest, std::sqrt(area) * (1 + static_cast<double>(i) / tries) * (1 + 1e-12));
+    const double width =
+        std::max(widest, std::sqrt(area) * (1 + static_cast<double>(i) / tries) * (1 + 1e-12));
     const double side = std::max(width, place_on_skyline(trial, width));
     if (side < best_side) best_side = side, best = trial;
   }

@@ -25,8 +25,8 @@ bool far_off(const mesh::ElementArrays& rest, const StartResult& start) {
 }
 
 // Tutte's embedding; its uv is empty when the linear solver failed.
-StartResult embed(const mesh::SurfaceMesh& disk, const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest,
-                  const mesh::TutteOptions& options) {
+StartResult embed(const mesh::SurfaceMesh& disk, const mesh::SurfaceMesh& chart,
+                  const mesh::ElementArrays& rest, const mesh::TutteOptions& options) {
   mesh::TutteResult embedding = mesh::tutte_embedding(disk, options);
   StartResult start;
   start.message = embedding.message;
@@ -49,8 +49,8 @@ bool better(const mesh::ElementArrays& rest, const StartResult& a, const StartRe
   return stretch_energy(rest, a.uv) < stretch_energy(rest, b.uv);
 }
 
-// The start of an ordinary chart stays Tutte's embedding with uniform weights, as others have it; one that is far off
-// is improved by what is cheap.
+// The start of an ordinary chart stays Tutte's embedding with uniform weights, as others have it; one that is
+// far off is improved by what is cheap.
 StartResult best_embedding(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest,
                            const StartOptions& options) {
   const mesh::SurfaceMesh disk = mesh::fill_holes(chart);
@@ -65,8 +65,8 @@ StartResult best_embedding(const mesh::SurfaceMesh& chart, const mesh::ElementAr
   return better(rest, other, best) ? other : best;
 }
 
-void untangle_start(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest, const StartOptions& options,
-                    StartResult& start) {
+void untangle_start(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest,
+                    const StartOptions& options, StartResult& start) {
   Vector x = Eigen::Map<const Vector>(start.uv.data(), start.uv.size());
   UntangleOptions how = options.untangle;
   how.min_determinant = std::max(how.min_determinant, 1e-3);
@@ -81,9 +81,12 @@ void untangle_start(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& r
 
 std::string_view start_method_name(StartMethod method) noexcept {
   switch (method) {
-    case StartMethod::uniform: return "uniform";
-    case StartMethod::weighted: return "weighted";
-    case StartMethod::untangled: return "untangled";
+    case StartMethod::uniform:
+      return "uniform";
+    case StartMethod::weighted:
+      return "weighted";
+    case StartMethod::untangled:
+      return "untangled";
   }
   return "";
 }

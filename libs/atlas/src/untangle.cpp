@@ -76,8 +76,8 @@ class Untangler {
     return epsilon_ > 0;
   }
 
-  // So that chi at the worst element shrinks by 1 - s, s the share of the energy that was gained: a large step
-  // when the minimisation went well (Garanzha et al. 2021, Eq. 5).
+  // So that chi at the worst element shrinks by 1 - s, s the share of the energy that was gained: a large
+  // step when the minimisation went well (Garanzha et al. 2021, Eq. 5).
   void shrink(const newton::Summary& summary) {
     const double gained = 1 - summary.energy / summary.initial_energy, share = std::max(0.1, gained);
     const double J = result_.smallest_determinant;
@@ -114,11 +114,11 @@ class Untangler {
 }  // namespace
 
 UntangleResult untangle(const assembly::Elements& elements, Vector& x, const UntangleOptions& options,
-                        const std::vector<int>& pinned_nodes,
-                        const std::function<bool()>& keep_going) {
+                        const std::vector<int>& pinned_nodes, const std::function<bool()>& keep_going) {
   elements.validate();
   if (x.size() != elements.dim * elements.node_count || !x.allFinite())
-    throw Error("untangle: the start must be " + std::to_string(elements.dim * elements.node_count) + " finite numbers");
+    throw Error("untangle: the start must be " + std::to_string(elements.dim * elements.node_count) +
+                " finite numbers");
   return Untangler(elements, x, options, pinned_nodes).run(keep_going);
 }
 

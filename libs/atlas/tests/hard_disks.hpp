@@ -15,7 +15,8 @@
 namespace isostretch::atlas::test {
 
 // (n + 1) x (m + 1) vertices at position(i, j).
-inline mesh::SurfaceMesh grid_at(int n, int m, const std::function<std::array<double, 3>(int, int)>& position) {
+inline mesh::SurfaceMesh grid_at(int n, int m,
+                                 const std::function<std::array<double, 3>(int, int)>& position) {
   mesh::SurfaceMesh mesh;
   mesh.vertices.resize((n + 1) * (m + 1), 3);
   mesh.triangles.resize(2 * n * m, 3);
@@ -49,8 +50,8 @@ inline mesh::SurfaceMesh needles(int n, double height) {
   });
 }
 
-// A closed-end tube, `length` rings of triangles long and `around` wide: Tutte's embedding shrinks its far end by
-// exp(-2 pi length / around).
+// A closed-end tube, `length` rings of triangles long and `around` wide: Tutte's embedding shrinks its far
+// end by exp(-2 pi length / around).
 inline mesh::SurfaceMesh finger(int around, int length) {
   mesh::SurfaceMesh mesh;
   mesh.vertices.resize(around * (length + 1) + 1, 3);

@@ -38,7 +38,8 @@ struct Box {
 };
 
 Box box_of(const mesh::Points2& points) {
-  return {{points.col(0).minCoeff(), points.col(1).minCoeff()}, {points.col(0).maxCoeff(), points.col(1).maxCoeff()}};
+  return {{points.col(0).minCoeff(), points.col(1).minCoeff()},
+          {points.col(0).maxCoeff(), points.col(1).maxCoeff()}};
 }
 
 // In the square, and apart from each other, by the margin.
@@ -100,7 +101,8 @@ TEST_CASE("faults are named") {
   add_rectangle(atlas, 1, 1, 0);
   add_rectangle(atlas, 1, 1, 0);
   atlas.charts[1](2, 0) = std::nan("");
-  CHECK_THROWS_WITH_AS(pack(atlas.charts, atlas.triangles), "pack: chart 1 has a point that is not finite", Error);
+  CHECK_THROWS_WITH_AS(pack(atlas.charts, atlas.triangles), "pack: chart 1 has a point that is not finite",
+                       Error);
   atlas.charts[1].setZero();
   atlas.triangles[0].resize(0, 3);
   CHECK_THROWS_WITH_AS(pack(atlas.charts, atlas.triangles), "pack: chart 0 has no triangles", Error);

@@ -32,7 +32,8 @@ struct Flattened {
 };
 
 // A flip-free start, and a minimisation from there that keeps it so.
-Flattened flatten(const mesh::SurfaceMesh& chart, const StartOptions& options = {}, int max_iterations = 1000) {
+Flattened flatten(const mesh::SurfaceMesh& chart, const StartOptions& options = {},
+                  int max_iterations = 1000) {
   const mesh::ElementArrays rest = rest_of(chart);
   Flattened result;
   result.start = flip_free_start(chart, rest, options);

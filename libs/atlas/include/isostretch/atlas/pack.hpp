@@ -17,9 +17,10 @@ struct Packing {
   double coverage = 0;  // share of the square under triangles
 };
 
-// Lays charts side by side into the unit square, all at the same scale, by a skyline of their enclosing rectangles.
-// Every chart is a set of points with its triangles; points are moved in place by rotation, scale and translation.
-// Throws Error for a chart without triangles or with points that are not finite, and when the margins leave no room.
+// Lays charts side by side into the unit square, all at the same scale, by a skyline of their enclosing
+// rectangles. Every chart is a set of points with its triangles; points are moved in place by rotation, scale
+// and translation. Throws Error for a chart without triangles or with points that are not finite, and when
+// the margins leave no room.
 Packing pack(std::vector<mesh::Points2>& charts, const std::vector<mesh::Triangles>& triangles,
              const PackOptions& options = {});
 

@@ -37,10 +37,10 @@ struct StartResult {
   bool ok() const { return uv.rows() > 0 && flipped.empty(); }
 };
 
-// A flip-free layout of a chart, a disk or a disk with holes, to start a minimisation from: Tutte's embedding with the
-// holes closed for the time being, at the area that `rest` has (the chart's triangles, see mesh::flat_elements). Where
-// floating point collapses triangles their weights are raised, and what is left of flips is untangled. Throws Error
-// when the mesh is not such a chart.
+// A flip-free layout of a chart, a disk or a disk with holes, to start a minimisation from: Tutte's embedding
+// with the holes closed for the time being, at the area that `rest` has (the chart's triangles, see
+// mesh::flat_elements). Where floating point collapses triangles their weights are raised, and what is left
+// of flips is untangled. Throws Error when the mesh is not such a chart.
 StartResult flip_free_start(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest,
                             const StartOptions& options = {});
 
