@@ -36,7 +36,8 @@ double level(const Vector& x, const Line& line, const Pins& pins) {
     if (std::find(line.nodes.begin(), line.nodes.end(), pin.node) == line.nodes.end()) continue;
     const double at = x[2 * pin.node + line.axis];
     if (pinned && *pinned != at)
-      throw Failure(ExitCode::input, std::string(option_of(line)) + ": two of its vertices are pinned at different " +
+      throw Failure(ExitCode::input, std::string(option_of(line)) +
+                                         ": two of its vertices are pinned at different " +
                                          (line.axis == 1 ? "v" : "u"));
     pinned = at;
   }
@@ -64,7 +65,8 @@ std::vector<Line> resolve_lines(const Domain& domain, const Start& start, const 
   std::vector<Line> lines;
   for (const AlignedVertices& wanted : options.aligned) {
     Line line{{}, wanted.horizontal ? 1 : 0};
-    for (const int vertex : wanted.vertices) line.nodes.push_back(open_vertex(domain, vertex, option_of(line)));
+    for (const int vertex : wanted.vertices)
+      line.nodes.push_back(open_vertex(domain, vertex, option_of(line)));
     const auto on_one_chart = std::any_of(start.charts.begin(), start.charts.end(), [&](const Chart& chart) {
       return lines_of_chart({line}, chart).size() == 1;
     });
@@ -91,8 +93,9 @@ std::vector<Line> lines_of_chart(const std::vector<Line>& lines, const Chart& ch
   return own;
 }
 
-void place_lines(Vector& x, const std::vector<Line>& lines, const Pins& pins, const assembly::Elements& elements,
-                 const energies::AnyEnergy& energy, const Chart& chart, const Options& options) {
+void place_lines(Vector& x, const std::vector<Line>& lines, const Pins& pins,
+                 const assembly::Elements& elements, const energies::AnyEnergy& energy, const Chart& chart,
+                 const Options& options) {
   if (lines.empty()) return;
   if (pins.hard.empty() && chart.held_boundary.empty()) turn(x, lines.front());
   Placement placement;
@@ -101,9 +104,10 @@ void place_lines(Vector& x, const std::vector<Line>& lines, const Pins& pins, co
   placement.kept.insert(placement.kept.end(), chart.held_boundary.begin(), chart.held_boundary.end());
   const int culprit = move_to(x, placement, elements, energy, chart, options);
   if (culprit >= 0)
-    throw Failure(ExitCode::input, std::string(option_of(lines.front())) +
-                                       ": the vertices cannot come to lie on a line without turning over triangle " +
-                                       std::to_string(culprit));
+    throw Failure(ExitCode::input,
+                  std::string(option_of(lines.front())) +
+                      ": the vertices cannot come to lie on a line without turning over triangle " +
+                      std::to_string(culprit));
 }
 
 void tie_lines(newton::Objective& objective, const std::vector<Line>& lines) {

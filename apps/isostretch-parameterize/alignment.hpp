@@ -14,16 +14,17 @@ struct Line {
   int axis = 1;
 };
 
-// Those of the command line, with vertices of the opened mesh. Throws Failure (ExitCode::command_line) for vertices that
-// do not exist or have several copies, and for a line through several charts.
+// Those of the command line, with vertices of the opened mesh. Throws Failure (ExitCode::command_line) for
+// vertices that do not exist or have several copies, and for a line through several charts.
 std::vector<Line> resolve_lines(const Domain& domain, const Start& start, const Options& options);
 // Those in a chart, in its numbers.
 std::vector<Line> lines_of_chart(const std::vector<Line>& lines, const Chart& chart);
 
-// Turns the layout (when nothing is pinned) and moves it until the vertices lie on their lines, to the bit. Throws
-// Failure (ExitCode::input) when pins contradict a line or a triangle is in the way.
-void place_lines(Vector& x, const std::vector<Line>& lines, const Pins& pins, const assembly::Elements& elements,
-                 const energies::AnyEnergy& energy, const Chart& chart, const Options& options);
+// Turns the layout (when nothing is pinned) and moves it until the vertices lie on their lines, to the bit.
+// Throws Failure (ExitCode::input) when pins contradict a line or a triangle is in the way.
+void place_lines(Vector& x, const std::vector<Line>& lines, const Pins& pins,
+                 const assembly::Elements& elements, const energies::AnyEnergy& energy, const Chart& chart,
+                 const Options& options);
 void tie_lines(newton::Objective& objective, const std::vector<Line>& lines);
 
 }  // namespace isostretch::app::parameterize

@@ -8,9 +8,11 @@
 #include <isostretch/mesh/io.hpp>
 #include <isostretch/mesh/seams.hpp>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace isostretch::app::parameterize {
@@ -74,31 +76,35 @@ void cut_open(Domain& domain, const mesh::Report& report, const Options& options
   explain_cut(domain);
 }
 
-// The layout of the input has a vertex for every pair of a vertex and a uv point that meet at a corner: where
-// two triangles use different uv points at a vertex, the surface is cut there. Nothing has to be a disk.
+// The layout of the input has a vertex for every vertex and uv that meet at a corner: where two triangles
+// have different uv at a vertex, the surface is cut there. Nothing has to be a disk.
 void open_along_input_uv(Domain& domain) {
   const mesh::SurfaceMesh& input = domain.input;
   if (!input.has_uv()) throw Error("--initial input: the model has no texture coordinates");
-  // Numbers in the order of the input's vertices, so that a model without seams keeps its numbering.
-  std::map<std::pair<int, int>, int> numbers;
+  // In the order of the input's vertices, so that a model without seams keeps its numbering.
+  using Place = std::tuple<int, double, double>;
+  const auto place = [&](Eigen::Index t, int c) {
+    const auto uv = input.uv.row(input.uv_triangles(t, c));
+    return Place(input.triangles(t, c), uv[0], uv[1]);
+  };
+  std::map<Place, int> numbers;
   for (Eigen::Index t = 0; t < input.triangles.rows(); ++t)
-    for (int c = 0; c < 3; ++c)
-      numbers.emplace(std::pair(input.triangles(t, c), input.uv_triangles(t, c)), 0);
+    for (int c = 0; c < 3; ++c) numbers.emplace(place(t, c), 0);
   int next = 0;
-  for (auto& [pair, number] : numbers) number = next++;
+  for (auto& [corner, number] : numbers) number = next++;
   mesh::Cut& cut = domain.cut;
   cut.mesh.vertices.resize(next, 3);
   cut.mesh.triangles.resize(input.triangles.rows(), 3);
   domain.input_uv.resize(next, 2);
-  for (const auto& [pair, number] : numbers) {
-    cut.mesh.vertices.row(number) = input.vertices.row(pair.first);
-    domain.input_uv.row(number) = input.uv.row(pair.second);
-    cut.original_vertex.push_back(pair.first);
+  for (const auto& [corner, number] : numbers) {
+    cut.mesh.vertices.row(number) = input.vertices.row(std::get<0>(corner));
+    domain.input_uv.row(number) << std::get<1>(corner), std::get<2>(corner);
+    cut.original_vertex.push_back(std::get<0>(corner));
   }
   for (Eigen::Index t = 0; t < input.triangles.rows(); ++t)
-    for (int c = 0; c < 3; ++c)
-      cut.mesh.triangles(t, c) = numbers.at({input.triangles(t, c), input.uv_triangles(t, c)});
+    for (int c = 0; c < 3; ++c) cut.mesh.triangles(t, c) = numbers.at(place(t, c));
   cut.chart = mesh::component_of_triangles(cut.mesh.triangles, next);
+  cut.charts.resize(1 + static_cast<std::size_t>(*std::max_element(cut.chart.begin(), cut.chart.end())));
   cut.seams = mesh::seams_of_uv(input);
   explain_cut(domain);
 }
@@ -121,7 +127,8 @@ Domain read_domain(const Options& options) {
       domain.components = report.components;
       domain.boundary_loops = report.boundary_loops;
       domain.genus = report.genus;
-      domain.seams_from_input = domain.input.has_uv();
+      domain.seams_from_input =
+          options.cut && domain.input.has_uv() && !mesh::seams_of_uv(domain.input).empty();
       if (options.initial == Initial::input)
         open_along_input_uv(domain);
       else

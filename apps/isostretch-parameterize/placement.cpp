@@ -14,7 +14,8 @@ void snap(Vector& x, const Placement& placement) {
   for (const Target& target : placement.targets(x)) x.segment<2>(2 * target.node) = target.at;
 }
 
-// -1 and x moved onto the targets when that leaves no triangle turned over; otherwise one that it would turn over.
+// -1 and x moved onto the targets when that leaves no triangle turned over; otherwise one that it would turn
+// over.
 int snap_without_flips(Vector& x, const Placement& placement, const Chart& chart) {
   Vector trial = x;
   snap(trial, placement);
@@ -57,7 +58,8 @@ int move_to(Vector& x, const Placement& placement, const assembly::Elements& ele
     if (culprit < 0) return -1;
   }
   if (interrupted())
-    throw Failure(ExitCode::not_converged, "interrupted before the layout met its constraints; nothing is written");
+    throw Failure(ExitCode::not_converged,
+                  "interrupted before the layout met its constraints; nothing is written");
   return culprit;
 }
 

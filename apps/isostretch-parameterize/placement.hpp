@@ -21,9 +21,9 @@ struct Placement {
   std::vector<int> kept;  // nodes that stay meanwhile
 };
 
-// Moves nodes of a chart to their targets. Where that turns triangles over and the energy has a barrier, the layout is
-// pulled there with soft pins, first weakly, until it can take them. Returns -1, or a triangle (of the whole mesh) that
-// is in the way for good. Throws Failure when interrupted before that.
+// Moves nodes of a chart to their targets. Where that turns triangles over and the energy has a barrier, the
+// layout is pulled there with soft pins, first weakly, until it can take them. Returns -1, or a triangle (of
+// the whole mesh) that is in the way for good. Throws Failure when interrupted before that.
 int move_to(Vector& x, const Placement& placement, const assembly::Elements& elements,
             const energies::AnyEnergy& energy, const Chart& chart, const Options& options);
 

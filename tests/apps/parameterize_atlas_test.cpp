@@ -31,13 +31,16 @@ struct Result {
   mesh::SurfaceMesh mesh;
 };
 
-Result flatten(const Scratch& scratch, const mesh::SurfaceMesh& model, std::vector<std::string> options = {}) {
+Result flatten(const Scratch& scratch, const mesh::SurfaceMesh& model,
+               std::vector<std::string> options = {}) {
   mesh::write_obj(scratch.path("model.obj"), model);
-  std::vector<std::string> command = {scratch.path("model.obj"), "-o", scratch.path("out"), "--no-picture", "--quiet"};
+  std::vector<std::string> command = {scratch.path("model.obj"), "-o", scratch.path("out"), "--no-picture",
+                                      "--quiet"};
   command.insert(command.end(), options.begin(), options.end());
   const Outcome run = parameterize(command);
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  Result result{read_json(scratch.path("out/summary.json")), mesh::read_obj(scratch.path("out/model_uv.obj"))};
+  Result result{read_json(scratch.path("out/summary.json")),
+                mesh::read_obj(scratch.path("out/model_uv.obj"))};
   CHECK(result.summary["flipped"] == 0);
   CHECK(mesh::count_flipped(result.mesh.uv, result.mesh.uv_triangles) == 0);
   return result;
@@ -52,7 +55,8 @@ mesh::SurfaceMesh two_balls_and_a_disc() {
 
 // Charts of the layout do not overlap: their boxes are apart after packing.
 void check_boxes_apart(const Result& result) {
-  const auto label = mesh::component_of_triangles(result.mesh.uv_triangles, static_cast<int>(result.mesh.uv.rows()));
+  const auto label =
+      mesh::component_of_triangles(result.mesh.uv_triangles, static_cast<int>(result.mesh.uv.rows()));
   const int charts = *std::max_element(label.begin(), label.end()) + 1;
   std::vector<std::array<double, 4>> boxes(static_cast<std::size_t>(charts), {2, 2, -2, -2});
   for (Eigen::Index t = 0; t < result.mesh.uv_triangles.rows(); ++t)
@@ -145,7 +149,14 @@ TEST_CASE("seams of the input are respected, or ignored when told") {
   const Result first = flatten(scratch, mesh::icosphere(3), {"--cut-tips", "2"});
   const Result again = flatten(scratch, first.mesh);
   CHECK(again.summary["layout"]["cut_edges"] == first.summary["layout"]["cut_edges"]);
-  CHECK(again.summary["energy"].get<double>() == doctest::Approx(first.summary["energy"].get<double>()).epsilon(1e-8));
+  CHECK(again.summary["energy"].get<double>() ==
+        doctest::Approx(first.summary["energy"].get<double>()).epsilon(1e-8));
+  const std::string cut = std::to_string(first.summary["layout"]["cut_edges"].get<int>());
+  mesh::write_obj(scratch.path("seams.obj"), first.mesh);
+  const Outcome said = parameterize({scratch.path("seams.obj"), "-o", scratch.path("said"), "--no-picture"});
+  CHECK_MESSAGE(
+      said.err.find("cut along the input's seams: " + cut + " edges, 1 chart\n") != std::string::npos,
+      said.err);
   const Result anew = flatten(scratch, first.mesh, {"--seams", "ignore"});
   CHECK(anew.summary["energy"].get<double>() < again.summary["energy"].get<double>());
 }
@@ -185,8 +196,8 @@ TEST_CASE("the boundary on a circle, on a square, fixed") {
   SUBCASE("what cannot be is explained") {
     // A corner triangle has two edges on one side of the square unless its vertex is a corner.
     mesh::write_obj(scratch.path("grid.obj"), mesh::grid(3, 3));
-    const Outcome run = parameterize({scratch.path("grid.obj"), "-o", scratch.path("no"), "--boundary", "square",
-                                      "--corners", "1,2,7,11"});
+    const Outcome run = parameterize({scratch.path("grid.obj"), "-o", scratch.path("no"), "--boundary",
+                                      "square", "--corners", "1,2,7,11"});
     CHECK(run.code != 0);
     CAPTURE(run.err);
     CHECK((run.err.find("corners on the boundary that is held") != std::string::npos ||
@@ -201,7 +212,8 @@ TEST_CASE("aligned vertices lie on a line to the bit") {
   const auto list = [&](std::size_t a, std::size_t b, std::size_t c) {
     return std::to_string(loop[a]) + "," + std::to_string(loop[b]) + "," + std::to_string(loop[c]);
   };
-  const Result result = flatten(scratch, face, {"--horizontal", list(0, 1, 2), "--vertical", list(20, 21, 22)});
+  const Result result =
+      flatten(scratch, face, {"--horizontal", list(0, 1, 2), "--vertical", list(20, 21, 22)});
   for (const std::size_t i : {1u, 2u}) CHECK(result.mesh.uv(loop[i], 1) == result.mesh.uv(loop[0], 1));
   for (const std::size_t i : {21u, 22u}) CHECK(result.mesh.uv(loop[i], 0) == result.mesh.uv(loop[20], 0));
   CHECK(result.summary["energy"].get<double>() >= flatten(scratch, face).summary["energy"].get<double>());
@@ -230,7 +242,8 @@ TEST_CASE("order, scale and place of a model do not matter") {
     CAPTURE(name);
     const mesh::SurfaceMesh model = mesh::read_surface(path);
     const double energy = flatten(scratch, model, {"--repair"}).summary["energy"].get<double>();
-    const double extent = (model.vertices.colwise().maxCoeff() - model.vertices.colwise().minCoeff()).maxCoeff();
+    const double extent =
+        (model.vertices.colwise().maxCoeff() - model.vertices.colwise().minCoeff()).maxCoeff();
     for (unsigned seed = 1; seed <= 4; ++seed) {
       CAPTURE(seed);
       mesh::SurfaceMesh other = shuffled(model, seed);

@@ -1,4 +1,5 @@
-// What people really have: broken, truncated and strange surfaces. Each ends with a message and nothing written.
+// What people really have: broken, truncated and strange surfaces. Each ends with a message and nothing
+// written.
 #include "process.hpp"
 #include "scratch.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <doctest/doctest.h>
 
+#include <unistd.h>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -16,7 +18,6 @@
 #include <random>
 #include <string>
 #include <thread>
-#include <unistd.h>
 
 using namespace isostretch;
 using namespace isostretch::test;
@@ -50,21 +51,26 @@ TEST_CASE("files with nothing in them to flatten") {
   std::mt19937 generator(1);
   std::string garbage(4096, '\0');
   for (char& c : garbage) c = static_cast<char>(generator());
-  for (const char* name : {"garbage.obj", "garbage.off", "garbage.ply", "garbage.stl", "garbage.msh", "garbage.mesh",
-                           "garbage.vtk", "garbage.vtu"})
+  for (const char* name : {"garbage.obj", "garbage.off", "garbage.ply", "garbage.stl", "garbage.msh",
+                           "garbage.mesh", "garbage.vtk", "garbage.vtu"})
     check_refused(scratch, scratch.write(name, garbage), name);
 }
 
 TEST_CASE("numbers that are none, and indices that point nowhere") {
   const Scratch scratch;
   const std::string good = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  check_refused(scratch, scratch.write("nan.obj", "v 0 nan 0\n" + good + "f 1 2 3\n"), "nan.obj:1: y coordinate 'nan'");
-  check_refused(scratch, scratch.write("inf.obj", good + "v 0 0 -inf\nf 1 2 3\n"), "inf.obj:4: z coordinate '-inf'");
-  check_refused(scratch, scratch.write("index.obj", good + "f 1 2 4\n"), "index.obj:4: vertex index 4 is out of range");
-  check_refused(scratch, scratch.write("quad.obj", good + "v 1 1 0\nf 1 2 4 3\n"), "quad.obj:5: face with 4 vertices");
+  check_refused(scratch, scratch.write("nan.obj", "v 0 nan 0\n" + good + "f 1 2 3\n"),
+                "nan.obj:1: y coordinate 'nan'");
+  check_refused(scratch, scratch.write("inf.obj", good + "v 0 0 -inf\nf 1 2 3\n"),
+                "inf.obj:4: z coordinate '-inf'");
+  check_refused(scratch, scratch.write("index.obj", good + "f 1 2 4\n"),
+                "index.obj:4: vertex index 4 is out of range");
+  check_refused(scratch, scratch.write("quad.obj", good + "v 1 1 0\nf 1 2 4 3\n"),
+                "quad.obj:5: face with 4 vertices");
 }
 
-TEST_CASE("surfaces that are no manifold are refused by element, and --repair takes what has one right answer") {
+TEST_CASE(
+    "surfaces that are no manifold are refused by element, and --repair takes what has one right answer") {
   const Scratch scratch;
   const std::string sheet = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0.5 0.5 1\nv 2 2 0\nv 2 3 0\n";
   check_refused(scratch, scratch.write("edge.obj", sheet + "f 1 2 3\nf 2 1 4\nf 1 2 5\n"), "edge 0-1");
@@ -126,8 +132,8 @@ TEST_CASE("the smallest surfaces are flattened") {
   const Outcome run = parameterize({one, "-o", scratch.path("one"), "--no-picture"});
   CHECK_MESSAGE(run.code == 0, run.err);
   CHECK(read_json(scratch.path("one/summary.json"))["energy"].get<double>() == doctest::Approx(4));
-  const auto two = scratch.write("two.obj",
-                                 "v 0 0 0\nv 3 0 0\nv 0 4 5\nv 9 0 0\nv 9 1 0\nv 9 0 1\nf 1 2 3\nf 4 5 6\n");
+  const auto two =
+      scratch.write("two.obj", "v 0 0 0\nv 3 0 0\nv 0 4 5\nv 9 0 0\nv 9 1 0\nv 9 0 1\nf 1 2 3\nf 4 5 6\n");
   CHECK(parameterize({two, "-o", scratch.path("two"), "--no-picture"}).code == 0);
   CHECK(read_json(scratch.path("two/summary.json"))["layout"]["charts"] == 2);
   const auto tetrahedron = write_model(scratch, "tetrahedron.obj", mesh::test::tetrahedron());
@@ -145,7 +151,8 @@ TEST_CASE("a file cut off at every percent of its length gives a message or a re
       CAPTURE(name);
       CAPTURE(percent);
       scratch.write(name, whole.substr(0, whole.size() * percent / 100));
-      const Outcome run = parameterize({scratch.path(name), "-o", scratch.path("out"), "--no-picture", "--quiet"});
+      const Outcome run =
+          parameterize({scratch.path(name), "-o", scratch.path("out"), "--no-picture", "--quiet"});
       CAPTURE(run.err);
       CHECK((run.code == 0 || run.code == 3));
       CHECK(std::filesystem::exists(scratch.path("out/summary.json")) == (run.code == 0));
@@ -157,8 +164,9 @@ TEST_CASE("a file cut off at every percent of its length gives a message or a re
 TEST_CASE("a file that another process truncates meanwhile") {
   const Scratch scratch;
   const std::string model = write_model(scratch, "shrinking.obj", mesh::disc(200));
-  const Outcome run = parameterize({model, "-o", scratch.path("out"), "--no-picture", "--max-iterations", "0"},
-                                   [&](int) { std::filesystem::resize_file(model, 1000); });
+  const Outcome run =
+      parameterize({model, "-o", scratch.path("out"), "--no-picture", "--max-iterations", "0"},
+                   [&](int) { std::filesystem::resize_file(model, 1000); });
   CAPTURE(run.err);
   CHECK((run.code == 3 || run.code == 5));  // seen short, or read before
   if (run.code == 3) {
@@ -171,8 +179,8 @@ TEST_CASE("a full disk is exit code 4 and leaves nothing") {
   const Scratch scratch;
   const std::string model = write_model(scratch, "face.obj", mesh::procedural_face(12));
   // A limit on the size of files makes writes fail as a full disk does.
-  const Outcome full = run({"/usr/bin/env", "--ignore-signal=XFSZ", "prlimit", "--fsize=4096", ISOSTRETCH_PARAMETERIZE, model, "-o",
-                            scratch.path("out")});
+  const Outcome full = run({"/usr/bin/env", "--ignore-signal=XFSZ", "prlimit", "--fsize=4096",
+                            ISOSTRETCH_PARAMETERIZE, model, "-o", scratch.path("out")});
   CAPTURE(full.err);
   CHECK(full.code == 4);
   CHECK(full.err.find("out/") != std::string::npos);
@@ -183,7 +191,8 @@ TEST_CASE("a folder that cannot be written to is exit code 4") {
   if (::geteuid() == 0) {
     MESSAGE("skipped: root may write everywhere; /proc stands in for a read-only place");
     const Scratch scratch;
-    const Outcome run = parameterize({write_model(scratch, "disc.obj", mesh::disc(3)), "-o", "/proc/isostretch"});
+    const Outcome run =
+        parameterize({write_model(scratch, "disc.obj", mesh::disc(3)), "-o", "/proc/isostretch"});
     CHECK(run.code == 4);
     return;
   }
@@ -218,8 +227,8 @@ TEST_CASE("the second interrupt ends the program at once, with nothing written")
 TEST_CASE("a time limit ends the solve with the best state") {
   const Scratch scratch;
   const std::string model = write_model(scratch, "face.obj", mesh::procedural_face(100));
-  const Outcome run =
-      parameterize({model, "-o", scratch.path("out"), "--no-picture", "--projection", "clamp", "--time-limit", "0.05"});
+  const Outcome run = parameterize(
+      {model, "-o", scratch.path("out"), "--no-picture", "--projection", "clamp", "--time-limit", "0.05"});
   CHECK(run.code == 5);
   CHECK(run.err.find("time_limit") != std::string::npos);
   CHECK(read_json(scratch.path("out/summary.json"))["flipped"] == 0);

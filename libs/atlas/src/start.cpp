@@ -65,16 +65,19 @@ StartResult best_embedding(const mesh::SurfaceMesh& chart, const mesh::ElementAr
   return better(rest, other, best) ? other : best;
 }
 
+// Keeps what there was unless untangling made it better.
 void untangle_start(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest,
                     const StartOptions& options, StartResult& start) {
-  Vector x = Eigen::Map<const Vector>(start.uv.data(), start.uv.size());
   UntangleOptions how = options.untangle;
   how.min_determinant = std::max(how.min_determinant, 1e-3);
   const std::vector<int> pinned = options.keep_boundary ? boundary_vertices(chart) : std::vector<int>();
-  start.untangling = untangle(assembly::elements_from(rest), x, how, pinned, options.keep_going);
-  start.method = StartMethod::untangled;
-  start.uv = Eigen::Map<const mesh::Points2>(x.data(), start.uv.rows(), 2);
-  start.flipped = mesh::orientation(start.uv, chart.triangles).flipped;
+  Vector x = Eigen::Map<const Vector>(start.uv.data(), start.uv.size());
+  StartResult untangled = start;
+  untangled.untangling = untangle(assembly::elements_from(rest), x, how, pinned, options.keep_going);
+  untangled.method = StartMethod::untangled;
+  untangled.uv = Eigen::Map<const mesh::Points2>(x.data(), start.uv.rows(), 2);
+  untangled.flipped = mesh::orientation(untangled.uv, chart.triangles).flipped;
+  if (better(rest, untangled, start)) start = std::move(untangled);
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ void TiedUnknowns::number_unknowns(const assembly::HessianPattern& pattern,
   const auto& group = pattern.zero_matrix().group;
   unknown_.assign(static_cast<std::size_t>(free.size()), -1);
   for (int i = 0; i < free.size(); ++i) {
-    // A representative has the smallest number of its set, so it has been met; a set is pinned whole or not at all.
+    // A representative has the smallest number of its set, so it has been met; a set is pinned whole or not
+    // at all.
     const int first = free.unknown(representative_dof(free.dof(i)));
     if (first == i) {
       unknown_[static_cast<std::size_t>(i)] = matrix_.size++;
@@ -49,7 +50,8 @@ void TiedUnknowns::place_entries(const sparse::SymmetricMatrix& untied) {
   place_.assign(untied.row.size(), 0);
   matrix_.column_start.assign(static_cast<std::size_t>(matrix_.size) + 1, 0);
   for (std::size_t e = 0; e < entries.size(); ++e) {
-    const bool fresh = e == 0 || entries[e].column != entries[e - 1].column || entries[e].row != entries[e - 1].row;
+    const bool fresh =
+        e == 0 || entries[e].column != entries[e - 1].column || entries[e].row != entries[e - 1].row;
     if (fresh) {
       matrix_.row.push_back(entries[e].row);
       ++matrix_.column_start[static_cast<std::size_t>(entries[e].column) + 1];

@@ -8,8 +8,9 @@
 
 namespace isostretch::newton {
 
-// Free unknowns of which some are the same one: T^T H T for the matrix T of zeros and ones that maps the fewer unknowns
-// to the free ones. The terms assemble H as if there were no ties; every entry then goes to its place.
+// Free unknowns of which some are the same one: T^T H T for the matrix T of zeros and ones that maps the
+// fewer unknowns to the free ones. The terms assemble H as if there were no ties; every entry then goes to
+// its place.
 class TiedUnknowns {
  public:
   TiedUnknowns(const assembly::HessianPattern& pattern, const std::function<int(int)>& representative_dof);
@@ -23,12 +24,13 @@ class TiedUnknowns {
   void reduce(std::vector<double>& values) const;
 
  private:
-  void number_unknowns(const assembly::HessianPattern& pattern, const std::function<int(int)>& representative_dof);
+  void number_unknowns(const assembly::HessianPattern& pattern,
+                       const std::function<int(int)>& representative_dof);
   void place_entries(const sparse::SymmetricMatrix& untied);
 
   std::vector<int> unknown_;
   std::vector<double> values_;
-  std::vector<int> place_;      // of every entry of H
+  std::vector<int> place_;          // of every entry of H
   std::vector<bool> counts_twice_;  // an entry off the diagonal that ends on it, as its mirror image does
   sparse::SymmetricMatrix matrix_;
 };
