@@ -2,6 +2,8 @@
 
 #include "common/numbers.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cstdio>
 
 namespace isostretch::app {

@@ -1,5 +1,6 @@
 #include "common/numbers.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -13,10 +14,6 @@ std::optional<Number> parse(std::string_view text) {
   const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || result.ec != std::errc{} || result.ptr != text.data() + text.size()) return {};
   return value;
-}
-
-std::string in_quotes(const std::string& text) {
-  return "'" + text + "'";
 }
 
 }  // namespace
@@ -43,33 +40,6 @@ std::vector<std::string> split(std::string_view text, char separator) {
     start = end + 1;
   }
   return parts;
-}
-
-CLI::Validator not_negative() {
-  return {[](std::string& text) {
-            const auto value = finite_number(text);
-            return value && *value >= 0 ? std::string() : in_quotes(text) + " is not a number >= 0";
-          },
-          "NUMBER>=0"};
-}
-
-CLI::Validator positive() {
-  return {[](std::string& text) {
-            const auto value = finite_number(text);
-            return value && *value > 0 ? std::string() : in_quotes(text) + " is not a number > 0";
-          },
-          "NUMBER>0"};
-}
-
-CLI::Validator whole_number_between(int lowest, int highest) {
-  const std::string range = std::to_string(lowest) + " to " + std::to_string(highest);
-  return {[=](std::string& text) {
-            const auto value = whole_number(text);
-            return value && *value >= lowest && *value <= highest
-                       ? std::string()
-                       : in_quotes(text) + " is not a whole number from " + range;
-          },
-          range};
 }
 
 }  // namespace isostretch::app

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,10 +15,5 @@ std::optional<int> whole_number(std::string_view text);
 std::string exact_text(double value);
 
 std::vector<std::string> split(std::string_view text, char separator);
-
-// Checks for options of CLI11, which takes "nan" and "1e400" for numbers on its own.
-CLI::Validator not_negative();
-CLI::Validator positive();
-CLI::Validator whole_number_between(int lowest, int highest);
 
 }  // namespace isostretch::app

@@ -2,6 +2,8 @@
 
 #include "common/exit_code.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <utility>
 

@@ -2,7 +2,7 @@
 
 #include <isostretch/core/atomic_file.hpp>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <memory>

@@ -1,8 +1,8 @@
 #include "common/run_app.hpp"
 
 #include "common/interrupt.hpp"
-#include "common/numbers.hpp"
 #include "common/threads.hpp"
+#include "common/validators.hpp"
 
 #include <isostretch/core/isa.hpp>
 #include <isostretch/core/version.hpp>

@@ -3,10 +3,12 @@
 #include "common/exit_code.hpp"
 #include "common/terminal.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <functional>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace isostretch::app {
 

@@ -29,12 +29,12 @@ void turn(Vector& x, const Line& line) {
   }
 }
 
-// The coordinate of the line: that of its pinned vertices, or else the mean.
-double level(const Vector& x, const Line& line, const Pins& pins) {
+// The coordinate of the line: that of its vertices that stay where they are, or else the mean.
+double level(const Vector& x, const Line& line, const std::vector<int>& kept) {
   std::optional<double> pinned;
-  for (const HardPin& pin : pins.hard) {
-    if (std::find(line.nodes.begin(), line.nodes.end(), pin.node) == line.nodes.end()) continue;
-    const double at = x[2 * pin.node + line.axis];
+  for (const int node : kept) {
+    if (std::find(line.nodes.begin(), line.nodes.end(), node) == line.nodes.end()) continue;
+    const double at = x[2 * node + line.axis];
     if (pinned && *pinned != at)
       throw Failure(ExitCode::input, std::string(option_of(line)) +
                                          ": two of its vertices are pinned at different " +
@@ -47,16 +47,31 @@ double level(const Vector& x, const Line& line, const Pins& pins) {
   return sum / static_cast<double>(line.nodes.size());
 }
 
-std::vector<Target> on_lines(const Vector& x, const std::vector<Line>& lines, const Pins& pins) {
+std::vector<Target> on_lines(const Vector& x, const std::vector<Line>& lines, const std::vector<int>& kept) {
   Vector moved = x;
   for (const Line& line : lines) {
-    const double at = level(moved, line, pins);
+    const double at = level(moved, line, kept);
     for (const int node : line.nodes) moved[2 * node + line.axis] = at;
   }
   std::vector<Target> targets;
   for (const Line& line : lines)
     for (const int node : line.nodes) targets.push_back({node, moved.segment<2>(2 * node)});
   return targets;
+}
+
+// Lines along the same axis that share a vertex are one line.
+void unite(Line line, std::vector<Line>& lines) {
+  const auto touches = [&](const Line& other) {
+    return other.axis == line.axis &&
+           std::find_first_of(other.nodes.begin(), other.nodes.end(), line.nodes.begin(), line.nodes.end()) !=
+               other.nodes.end();
+  };
+  for (auto other = std::find_if(lines.begin(), lines.end(), touches); other != lines.end();
+       other = std::find_if(lines.begin(), lines.end(), touches)) {
+    line.nodes.insert(line.nodes.end(), other->nodes.begin(), other->nodes.end());
+    lines.erase(other);
+  }
+  lines.push_back(std::move(line));
 }
 
 }  // namespace
@@ -74,7 +89,7 @@ std::vector<Line> resolve_lines(const Domain& domain, const Start& start, const 
       throw Failure(ExitCode::command_line, std::string(option_of(line)) + ": vertex " +
                                                 std::to_string(wanted.vertices.front()) +
                                                 " and the others are not all in one chart");
-    lines.push_back(std::move(line));
+    unite(std::move(line), lines);
   }
   return lines;
 }
@@ -99,7 +114,7 @@ void place_lines(Vector& x, const std::vector<Line>& lines, const Pins& pins,
   if (lines.empty()) return;
   if (pins.hard.empty() && chart.held_boundary.empty()) turn(x, lines.front());
   Placement placement;
-  placement.targets = [&](const Vector& at) { return on_lines(at, lines, pins); };
+  placement.targets = [&](const Vector& at) { return on_lines(at, lines, placement.kept); };
   for (const HardPin& pin : pins.hard) placement.kept.push_back(pin.node);
   placement.kept.insert(placement.kept.end(), chart.held_boundary.begin(), chart.held_boundary.end());
   const int culprit = move_to(x, placement, elements, energy, chart, options);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string>
 
 namespace isostretch::app::parameterize {
@@ -44,12 +43,10 @@ void combine_runs(const std::vector<Run>& runs, newton::Summary& summary, std::v
     if (run.first) energy += run.summary.initial_energy;
     last[run.chart] = &run.summary;
   }
-  const Run* worst = &runs.front();
-  const auto ends_badly = [&](const Run& run) {
-    return last.at(run.chart) == &run.summary ? rank(run.summary) : 0;
-  };
+  // Of the runs that ended their chart; earlier ones were superseded.
+  const Run* worst = &runs.back();
   for (const Run& run : runs)
-    if (ends_badly(run) > ends_badly(*worst)) worst = &run;
+    if (last.at(run.chart) == &run.summary && rank(run.summary) > rank(worst->summary)) worst = &run;
 
   newton::Summary sum;
   sum.initial_energy = energy;

@@ -1,5 +1,7 @@
 #include "distortion_statistics.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 

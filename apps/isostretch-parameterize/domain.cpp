@@ -111,10 +111,24 @@ void open_along_input_uv(Domain& domain) {
 
 }  // namespace
 
+namespace {
+
+// Several components and vertices of no triangle are no obstacle.
+bool flattenable(const mesh::Report& report) {
+  long obstacles = 0;
+  for (const long count : report.counts) obstacles += count;
+  for (const mesh::Kind kind :
+       {mesh::Kind::several_components, mesh::Kind::unreferenced_vertex, mesh::Kind::duplicate_vertex})
+    obstacles -= report.count(kind);
+  return obstacles == 0;
+}
+
+}  // namespace
+
 std::string check_report(const Options& options, bool& clean) {
   return failing_with(ExitCode::input, [&] {
     const mesh::Report report = mesh::check(read_input(options).input);
-    clean = report.clean();
+    clean = flattenable(report);
     return to_text(report);
   });
 }

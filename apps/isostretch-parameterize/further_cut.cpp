@@ -1,5 +1,6 @@
 #include "further_cut.hpp"
 
+#include <isostretch/core/error.hpp>
 #include <isostretch/mesh/boundary.hpp>
 
 #include <algorithm>

@@ -20,8 +20,9 @@ int cut_at(Domain& domain, int vertex, mesh::Points2& uv);
 // The most distorted triangle above the bound that has an edge to another one of its chart; -1: none.
 int worst_triangle(const Domain& domain, const std::vector<double>& stretches, double bound);
 
-// Cuts along the longest edge inside its chart of a triangle whose corners all lie on the boundary, which
-// falls into two; uv follows, charts are numbered anew. Returns the chart that each was part of.
+// Cuts along the longest edge inside its chart of a triangle whose corners all lie on the boundary. The chart
+// falls into two, unless the edge led from a hole to the outside. uv follows, charts are numbered anew.
+// Returns the chart that each was part of.
 std::vector<int> cut_off(Domain& domain, int triangle, mesh::Points2& uv, const Options& options);
 
 }  // namespace isostretch::app::parameterize

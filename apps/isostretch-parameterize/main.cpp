@@ -1,3 +1,4 @@
+#include "command_line.hpp"
 #include "parameterize.hpp"
 
 int main(int argc, char** argv) {

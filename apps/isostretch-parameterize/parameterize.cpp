@@ -7,6 +7,8 @@
 #include "report_page.hpp"
 #include "textured_glb.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <isostretch/core/timer.hpp>
 #include <isostretch/mesh/io.hpp>
 

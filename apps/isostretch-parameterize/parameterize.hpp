@@ -4,6 +4,8 @@
 #include "common/run_app.hpp"
 #include "options.hpp"
 
+#include <isostretch/energies/any_energy.hpp>
+
 namespace isostretch::app::parameterize {
 
 // The whole job: read, start, solve, write, report.

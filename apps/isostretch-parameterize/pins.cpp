@@ -4,6 +4,7 @@
 #include "placement.hpp"
 #include "similarity.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -78,10 +79,10 @@ Pins Pins::of_chart(const Chart& chart) const {
 Pins resolve_pins(const Domain& domain, const Start& start, const Options& options) {
   Pins pins;
   std::set<int> hard;
-  if (start.charts.size() > 1 && options.has_pins() && options.packs(start.charts.size()))
+  if (options.has_pins() && options.packs(start.charts.size()))
     throw Failure(ExitCode::command_line,
-                  "--pin, --soft-pin: the surface falls into " + std::to_string(start.charts.size()) +
-                      " charts, which packing moves; say --pack none to keep them in place");
+                  "--pin, --soft-pin: packing moves the " + std::to_string(start.charts.size()) +
+                      " chart(s) of the surface; say --pack none to keep them in place");
   for (const Pin& pin : options.pins) {
     HardPin resolved;
     resolved.node = open_vertex(domain, pin.vertex, "--pin");
@@ -103,13 +104,24 @@ Pins resolve_pins(const Domain& domain, const Start& start, const Options& optio
   return pins;
 }
 
+void require_free(const Pins& pins, const Chart& chart) {
+  for (const HardPin& pin : pins.hard)
+    if (pin.target && std::find(chart.held_boundary.begin(), chart.held_boundary.end(), pin.node) !=
+                          chart.held_boundary.end())
+      throw Failure(ExitCode::command_line,
+                    "--pin: a vertex with a target lies on the boundary that --boundary holds");
+}
+
 void place_hard_pins(Vector& x, const Pins& pins, const assembly::Elements& elements,
                      const energies::AnyEnergy& energy, const Chart& chart, const Options& options) {
+  require_free(pins, chart);
   if (!has_targets(pins) || at_targets(x, pins)) return;
-  align(x, pins);
+  std::vector<int> kept = kept_in_place(pins);
+  kept.insert(kept.end(), chart.held_boundary.begin(), chart.held_boundary.end());
+  if (kept.empty()) align(x, pins);
   const std::vector<Target> targets = targets_of(pins);
-  const int culprit = move_to(x, {[&](const Vector&) { return targets; }, kept_in_place(pins)}, elements,
-                              energy, chart, options);
+  const int culprit =
+      move_to(x, {[&](const Vector&) { return targets; }, kept}, elements, energy, chart, options);
   if (culprit >= 0)
     throw Failure(ExitCode::input, "the hard pins cannot be reached without turning over triangle " +
                                        std::to_string(culprit) + "; move them or use --soft-pin");

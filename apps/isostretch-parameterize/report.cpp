@@ -5,6 +5,8 @@
 #include "common/threads.hpp"
 #include "distortion_statistics.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <isostretch/core/isa.hpp>
 #include <isostretch/core/version.hpp>
 #include <isostretch/mesh/seams.hpp>
@@ -137,9 +139,10 @@ Json layout_json(const Result& r) {
 Json charts_json(const Result& r) {
   Json charts = Json::array();
   for (const Chart& chart : r.start.charts)
-    charts.push_back({{"triangles", chart.triangle.size()},
-                      {"area", mesh::total_weight(chart.rest)},
-                      {"start", atlas::start_method_name(chart.method)}});
+    charts.push_back(
+        {{"triangles", chart.triangle.size()},
+         {"area", mesh::total_weight(chart.rest)},
+         {"start", r.options.initial == Initial::input ? "input" : atlas::start_method_name(chart.method)}});
   for (const Run& run : r.solution.runs) {  // the last run of a chart counts
     Json& chart = charts[static_cast<std::size_t>(run.chart)];
     chart["status"] = newton::status_name(run.summary.status);

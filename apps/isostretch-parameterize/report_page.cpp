@@ -5,6 +5,8 @@
 #include "report_tables.hpp"
 #include "report_warnings.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cctype>
 
 namespace isostretch::app::parameterize {

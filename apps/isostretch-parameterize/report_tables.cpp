@@ -3,6 +3,8 @@
 #include "common/formatted.hpp"
 #include "common/html.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <numeric>
 #include <vector>

@@ -2,6 +2,8 @@
 
 #include "common/formatted.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace isostretch::app::parameterize {

@@ -41,7 +41,7 @@ class Solver {
 
  private:
   newton::CallbackAction watch(const newton::Iteration& row, std::size_t chart) const {
-    const std::string of = start_.charts.size() > 1 ? "chart " + std::to_string(chart + 1) + "/" +
+    const std::string of = start_.charts.size() > 1 ? "chart " + std::to_string(chart) + " of " +
                                                           std::to_string(start_.charts.size()) + "  "
                                                     : "";
     show_progress(of + progress_line(row));
@@ -106,22 +106,23 @@ class Solver {
     solve_chart(chart);
   }
 
-  // A triangle with all corners on the boundary can only be cut off.
+  // A triangle with all corners on the boundary can only be cut off. Charts that come out as they were keep
+  // their solution.
   void divide_chart(int triangle) {
     const std::vector<int> part_of = cut_off(domain_, triangle, solution_.uv, options_);
-    std::vector<Chart> charts;
-    std::vector<int> parts(start_.charts.size(), 0), number(start_.charts.size(), 0);
+    std::vector<Chart> charts = make_charts(domain_, start_);
+    std::vector<int> number(start_.charts.size(), -1), changed;
     for (std::size_t c = 0; c < part_of.size(); ++c) {
       const auto whole = static_cast<std::size_t>(part_of[c]);
-      charts.push_back(make_chart(domain_, start_, static_cast<int>(c)));
-      charts.back().method = start_.charts[whole].method;
-      if (parts[whole]++ == 0) number[whole] = static_cast<int>(c);
+      charts[c].method = start_.charts[whole].method;
+      if (number[whole] < 0) number[whole] = static_cast<int>(c);
+      if (charts[c].open_vertex.size() != start_.charts[whole].open_vertex.size())
+        changed.push_back(static_cast<int>(c));
     }
     start_.charts = std::move(charts);
     soft_pin_energy_.assign(start_.charts.size(), 0.0);  // pins and further cuts exclude each other
     for (Run& run : solution_.runs) run.chart = number[static_cast<std::size_t>(run.chart)];
-    for (std::size_t c = 0; c < part_of.size(); ++c)
-      if (parts[static_cast<std::size_t>(part_of[c])] > 1) solve_chart(static_cast<int>(c));
+    for (const int chart : changed) solve_chart(chart);
   }
 
   bool out_of_time() const {

@@ -2,6 +2,7 @@
 
 #include "common/exit_code.hpp"
 #include "common/interrupt.hpp"
+#include "common/numbers.hpp"
 #include "common/terminal.hpp"
 
 #include <isostretch/mesh/boundary.hpp>
@@ -74,6 +75,7 @@ std::vector<int> held_boundary(const Chart& chart, Boundary boundary) {
 
 std::vector<int> corners_of(const Domain& domain, const Chart& chart, const Options& options) {
   std::vector<int> corners;
+  const std::vector<int>& held = chart.held_boundary;
   for (const int corner : options.corners) {
     const int open = open_vertex(domain, corner, "--corners");
     const auto found = std::find(chart.open_vertex.begin(), chart.open_vertex.end(), open);
@@ -81,12 +83,19 @@ std::vector<int> corners_of(const Domain& domain, const Chart& chart, const Opti
       throw Failure(ExitCode::command_line,
                     "--corners: vertex " + std::to_string(corner) + " is in another chart than the rest");
     corners.push_back(static_cast<int>(found - chart.open_vertex.begin()));
+    if (std::find(held.begin(), held.end(), corners.back()) == held.end())
+      throw Failure(ExitCode::command_line,
+                    "--corners: vertex " + std::to_string(corner) + " is not on the boundary");
   }
   return corners;
 }
 
-std::string chart_name(std::size_t number, std::size_t count) {
-  return count == 1 ? "" : "chart " + std::to_string(number) + " of " + std::to_string(count) + ": ";
+// Said before the solve, not after it: equal squares need this much at least.
+void require_room(const Options& options, std::size_t charts) {
+  if (options.packs(charts) && options.margin * std::sqrt(static_cast<double>(charts)) >= 0.9)
+    throw Failure(ExitCode::command_line, "--margin: " + exact_text(options.margin) +
+                                              " of the square leaves no room for " + std::to_string(charts) +
+                                              " charts");
 }
 
 // The straight side of a square is where a triangle can end up flat through no fault of the mesh.
@@ -151,27 +160,35 @@ void Chart::scatter(const mesh::Points2& own, mesh::Points2& uv) const {
     uv.row(open_vertex[v]) = own.row(static_cast<Eigen::Index>(v));
 }
 
+std::vector<Chart> make_charts(const Domain& domain, const Start& start) {
+  std::vector<Chart> charts;
+  for (mesh::Part& part : mesh::split(domain.open(), domain.cut.chart))
+    charts.push_back(from_part(std::move(part), start.rest));
+  return charts;
+}
+
 Chart make_chart(const Domain& domain, const Start& start, int number) {
-  return from_part(std::move(mesh::split(domain.open(), domain.cut.chart)[static_cast<std::size_t>(number)]),
-                   start.rest);
+  std::vector<int> label = domain.cut.chart;
+  for (int& chart : label) chart = chart == number ? 0 : 1;
+  return from_part(std::move(mesh::split(domain.open(), label).front()), start.rest);
 }
 
 Start make_start(const Domain& domain, const energies::AnyEnergy& energy, const Options& options) {
   const auto make = [&] {
     Start start = rest_shape(domain, options);
     if (options.initial == Initial::input) start.uv = domain.input_uv / start.unit_length;
-    std::vector<mesh::Part> parts = mesh::split(domain.open(), domain.cut.chart);
-    if (!options.corners.empty() && parts.size() > 1)
+    start.charts = make_charts(domain, start);
+    if (!options.corners.empty() && start.charts.size() > 1)
       throw Failure(ExitCode::command_line, "--corners: the surface falls into " +
-                                                std::to_string(parts.size()) +
+                                                std::to_string(start.charts.size()) +
                                                 " charts; only one can have corners");
-    for (mesh::Part& part : parts) {
-      Chart chart = from_part(std::move(part), start.rest);
+    require_room(options, start.charts.size());
+    for (std::size_t c = 0; c < start.charts.size(); ++c) {
+      Chart& chart = start.charts[c];
       chart.held_boundary = held_boundary(chart, options.boundary);
-      const std::string name = chart_name(start.charts.size(), parts.size());
+      const std::string name = start.charts.size() == 1 ? "" : "chart " + std::to_string(c) + ": ";
       if (options.initial == Initial::tutte) embed(domain, options, name, chart, start);
       require_startable(chart, start, name, energy, options);
-      start.charts.push_back(std::move(chart));
     }
     start.flipped = mesh::count_flipped(start.uv, domain.open().triangles);
     return start;

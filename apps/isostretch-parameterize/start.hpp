@@ -38,7 +38,8 @@ struct Start {
 // that the energy cannot recover from; names them.
 Start make_start(const Domain& domain, const energies::AnyEnergy& energy, const Options& options);
 
-// The chart of that number of the domain as it is cut now, without a start.
+// The charts, or the chart of that number, of the domain as it is cut now, without a start.
+std::vector<Chart> make_charts(const Domain& domain, const Start& start);
 Chart make_chart(const Domain& domain, const Start& start, int number);
 
 }  // namespace isostretch::app::parameterize

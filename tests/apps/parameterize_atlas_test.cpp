@@ -174,6 +174,29 @@ TEST_CASE("a bound on the distortion is met by further cuts") {
   CHECK(too_few.err.find("the largest distortion is") != std::string::npos);
 }
 
+TEST_CASE("a bound is met and the status is that of the last solve of every chart") {
+  const Scratch scratch;
+  mesh::write_obj(scratch.path("face.obj"), mesh::procedural_face(6));
+  const Outcome run = parameterize({scratch.path("face.obj"), "-o", scratch.path("out"), "--no-picture",
+                                    "--max-distortion", "1.2", "--max-iterations", "30"});
+  const auto summary = read_json(scratch.path("out/summary.json"));
+  bool all_converged = true;
+  for (const auto& chart : summary["charts"])
+    all_converged = all_converged && chart["status"].get<std::string>().rfind("converged", 0) == 0;
+  CHECK(all_converged == summary["converged"].get<bool>());
+  CHECK_MESSAGE(run.code == (all_converged ? 0 : 5), run.err);
+}
+
+TEST_CASE("every linear solver flattens") {
+  const Scratch scratch;
+  const double energy = flatten(scratch, mesh::procedural_face(8)).summary["energy"].get<double>();
+  for (const char* solver : {"eigen_ldlt", "pcg"}) {
+    CAPTURE(solver);
+    CHECK(flatten(scratch, mesh::procedural_face(8), {"--solver", solver}).summary["energy"].get<double>() ==
+          doctest::Approx(energy).epsilon(1e-8));
+  }
+}
+
 TEST_CASE("the boundary on a circle, on a square, fixed") {
   const Scratch scratch;
   const mesh::SurfaceMesh face = mesh::procedural_face(8);
@@ -217,6 +240,12 @@ TEST_CASE("aligned vertices lie on a line to the bit") {
   for (const std::size_t i : {1u, 2u}) CHECK(result.mesh.uv(loop[i], 1) == result.mesh.uv(loop[0], 1));
   for (const std::size_t i : {21u, 22u}) CHECK(result.mesh.uv(loop[i], 0) == result.mesh.uv(loop[20], 0));
   CHECK(result.summary["energy"].get<double>() >= flatten(scratch, face).summary["energy"].get<double>());
+
+  // Lines that share a vertex are one line.
+  const Result joined =
+      flatten(scratch, face, {"--horizontal", list(0, 1, 2), "--horizontal", list(2, 3, 4)});
+  for (const std::size_t i : {1u, 2u, 3u, 4u})
+    CHECK(joined.mesh.uv(loop[i], 1) == joined.mesh.uv(loop[0], 1));
 
   mesh::write_obj(scratch.path("face.obj"), face);
   const auto refuse = [&](std::vector<std::string> options, const std::string& words) {

@@ -1,6 +1,7 @@
 #include "process.hpp"
 #include "scratch.hpp"
 
+#include <isostretch/mesh/boundary.hpp>
 #include <isostretch/mesh/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/mesh/io.hpp>
@@ -101,4 +102,38 @@ TEST_CASE("vertices on a cut cannot be pinned") {
     if (run.code == 2) refused = run.err;
   }
   CHECK(refused.find("copies in the layout") != std::string::npos);
+}
+
+TEST_CASE("what is held stays where it is, whatever else is pinned or aligned") {
+  const Scratch scratch;
+  const mesh::SurfaceMesh face = mesh::procedural_face(8);
+  mesh::write_obj(scratch.path("face.obj"), face);
+  const auto run = [&](std::vector<std::string> options) {
+    options.insert(options.begin(),
+                   {scratch.path("face.obj"), "-o", scratch.path("out"), "--no-picture", "--quiet"});
+    const Outcome outcome = parameterize(options);
+    CHECK_MESSAGE(outcome.code == 0, outcome.err);
+    return mesh::read_obj(scratch.path("out/face_uv.obj"));
+  };
+  const std::vector<int> loop = mesh::boundary_loops(face).front();
+  const mesh::SurfaceMesh circle = run({"--boundary", "circle"});
+  const mesh::SurfaceMesh pinned = run({"--boundary", "circle", "--pin", "0:0.05,0.05"});
+  const mesh::SurfaceMesh aligned =
+      run({"--boundary", "circle", "--horizontal", std::to_string(loop[3]) + ",0"});
+  for (const int v : loop) {
+    CHECK(pinned.uv.row(v) == circle.uv.row(v));
+    CHECK(aligned.uv.row(v) == circle.uv.row(v));
+  }
+  CHECK(pinned.uv.row(0) == Eigen::RowVector2d(0.05, 0.05));
+  CHECK(aligned.uv(0, 1) == aligned.uv(loop[3], 1));
+
+  const auto refuse = [&](std::vector<std::string> options, const std::string& words) {
+    options.insert(options.begin(), {scratch.path("face.obj"), "-o", scratch.path("no")});
+    const Outcome outcome = parameterize(options);
+    CAPTURE(outcome.err);
+    CHECK((outcome.code == 2 || outcome.code == 3));
+    CHECK(outcome.err.find(words) != std::string::npos);
+  };
+  refuse({"--boundary", "circle", "--pin", std::to_string(loop[0]) + ":0,0"}, "that --boundary holds");
+  refuse({"--pack", "square", "--pin", "0:0,0"}, "--pack none");
 }

@@ -57,20 +57,22 @@ class Skyline {
   std::vector<Step> steps_;
 };
 
-// To a fine grid on which sums are exact: otherwise rectangles that differ by a rounding leave useless gaps.
-void round_up(std::vector<Rectangle>& rectangles) {
+// In whole units, of which sums are exact: otherwise rectangles that differ by a rounding leave useless gaps.
+// Returns the unit, or 0 when there is nothing to place.
+double round_up(std::vector<Rectangle>& rectangles) {
   double largest = 0, area = 0;
   for (const Rectangle& r : rectangles) {
     largest = std::max({largest, r.width, r.height});
     area += r.width * r.height;
   }
-  const double unit = std::exp2(std::floor(std::log2(std::max(std::sqrt(area), largest))) - 14);
-  if (!(unit > 0)) return;
+  const double unit = std::max(std::sqrt(area), largest) / 16384;
+  if (!(unit > 0)) return 0;
   constexpr double rounding = 1e-9;
   for (Rectangle& r : rectangles) {
-    r.width = unit * std::ceil(r.width / unit - rounding);
-    r.height = unit * std::ceil(r.height / unit - rounding);
+    r.width = std::ceil(r.width / unit - rounding);
+    r.height = std::ceil(r.height / unit - rounding);
   }
+  return unit;
 }
 
 }  // namespace
@@ -90,7 +92,8 @@ double place_on_skyline(std::vector<Rectangle>& rectangles, double strip_width) 
 }
 
 double place_in_square(std::vector<Rectangle>& rectangles) {
-  round_up(rectangles);
+  const double unit = round_up(rectangles);
+  if (unit == 0) return 0;
   double area = 0, widest = 0;
   for (const Rectangle& r : rectangles) {
     area += r.width * r.height;
@@ -107,7 +110,9 @@ double place_in_square(std::vector<Rectangle>& rectangles) {
     if (side < best_side) best_side = side, best = trial;
   }
   rectangles = best;
-  return best_side;
+  for (Rectangle& r : rectangles)
+    for (double* value : {&r.width, &r.height, &r.x, &r.y}) *value *= unit;
+  return best_side * unit;
 }
 
 }  // namespace isostretch::atlas

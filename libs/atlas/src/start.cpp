@@ -5,8 +5,11 @@
 #include <isostretch/mesh/boundary.hpp>
 #include <isostretch/mesh/orientation.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace isostretch::atlas {
 namespace {
@@ -49,6 +52,32 @@ bool better(const mesh::ElementArrays& rest, const StartResult& a, const StartRe
   return stretch_energy(rest, a.uv) < stretch_energy(rest, b.uv);
 }
 
+// The chart seen along its mean normal: isometric when it is flat, and worth a look when all else is far off.
+StartResult projection(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest) {
+  using Vector3 = Eigen::Matrix<double, 1, 3>;
+  const auto& p = chart.vertices;
+  Vector3 normal = Vector3::Zero(), longest = Vector3::Zero();
+  for (Eigen::Index t = 0; t < chart.triangles.rows(); ++t) {
+    const Vector3 a = p.row(chart.triangles(t, 1)) - p.row(chart.triangles(t, 0));
+    const Vector3 b = p.row(chart.triangles(t, 2)) - p.row(chart.triangles(t, 0));
+    normal += a.cross(b);
+    if (a.squaredNorm() > longest.squaredNorm()) longest = a;
+  }
+  const Vector3 n = normal.normalized(), u = (longest - longest.dot(n) * n).normalized(), v = n.cross(u);
+  StartResult start;
+  start.method = StartMethod::weighted;
+  start.uv.resize(p.rows(), 2);
+  for (Eigen::Index i = 0; i < p.rows(); ++i) {
+    const Vector3 r = p.row(i) - p.row(0);
+    start.uv.row(i) << r.dot(u), r.dot(v);
+  }
+  const mesh::OrientationReport orientation = mesh::orientation(start.uv, chart.triangles);
+  start.uv *= std::sqrt(mesh::total_weight(rest) / std::abs(orientation.total_area));
+  start.flipped = orientation.flipped;
+  if (!start.uv.allFinite()) start.uv.resize(0, 2);
+  return start;
+}
+
 // The start of an ordinary chart stays Tutte's embedding with uniform weights, as others have it; one that is
 // far off is improved by what is cheap.
 StartResult best_embedding(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest,
@@ -59,9 +88,12 @@ StartResult best_embedding(const mesh::SurfaceMesh& chart, const mesh::ElementAr
   if (best.uv.rows() > 0 && !far_off(rest, best)) return best;
   how.weights = mesh::EdgeWeights::cotangent;
   StartResult other = embed(disk, chart, rest, how);
-  if (!options.keep_boundary)
+  if (!options.keep_boundary) {
     for (StartResult* start : {&best, &other})
       if (start->uv.rows() > 0 && start->flipped.empty()) fit_affinely(rest, start->uv);
+    StartResult flat = projection(chart, rest);
+    if (better(rest, flat, other)) other = std::move(flat);
+  }
   return better(rest, other, best) ? other : best;
 }
 

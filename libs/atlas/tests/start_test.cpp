@@ -87,6 +87,17 @@ TEST_CASE("needles: weights that know their shape, and a stretch of the whole") 
   CHECK(extreme.summary.energy < extreme.summary.initial_energy);
 }
 
+TEST_CASE("flat needles are laid down as they are") {
+  mesh::SurfaceMesh needle;
+  needle.vertices.resize(3, 3);
+  needle.vertices << 1, 2, 3, 2, 2, 3, 1.5, 2, 3 + 1e-12;
+  needle.triangles.resize(1, 3);
+  needle.triangles << 0, 1, 2;
+  const Flattened one = flatten(needle);
+  CHECK(one.summary.converged());
+  CHECK(one.summary.energy == doctest::Approx(4).epsilon(1e-9));
+}
+
 TEST_CASE("a corridor along a Hilbert curve") {
   const Flattened corridor = flatten(hilbert_corridor(8));
   CHECK(corridor.summary.converged());

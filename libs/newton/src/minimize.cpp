@@ -127,11 +127,13 @@ class Minimizer {
   }
 
   // One median stiffness says little where elements differ by many orders of magnitude: a gradient small
-  // beside it must not promise a gain of energy either.
+  // beside it must not promise a gain of energy either. A filtered or shifted Hessian promises less than
+  // there is.
   bool promises_little(double decrement) const {
-    constexpr double share = 1e-8, negligible = 1e-12;
+    constexpr double share = 1e-8, share_if_filtered = 1e-12, negligible = 1e-12;
     return decrement <=
-           share * std::max(std::abs(summary_.energy), negligible * std::abs(summary_.initial_energy));
+           (exact_model_ ? share : share_if_filtered) *
+               std::max(std::abs(summary_.energy), negligible * std::abs(summary_.initial_energy));
   }
 
   bool end_scaled() {
@@ -153,6 +155,7 @@ class Minimizer {
       ++summary_.factorizations;
       if (result) {
         last_relative_shift_ = shift / typical_stiffness_;
+        exact_model_ = points_filtered_ == 0 && shift <= options_.relative_shift * typical_stiffness_;
         return true;
       }
       ++summary_.failed_factorizations;
@@ -170,14 +173,23 @@ class Minimizer {
     }
   }
 
-  // Newton direction over all degrees of freedom.
-  bool solve() {
-    const ScopedTimer timer(summary_.seconds.solve);
-    const Vector right = -reduced_;
-    Vector solution(right.size());
-    const sparse::SolveResult result = solver_->solve_columns(right.data(), solution.data(), 1);
-    if (!result && result.status != sparse::SolveStatus::not_converged)
-      return end(Status::failed_factorization, result.message);
+  // Newton direction over all degrees of freedom. An iterative solver notices only here that the matrix is
+  // indefinite, and gets a stronger filter as a failed factorization does.
+  bool solve(Iteration& row) {
+    Vector right = -reduced_, solution(reduced_.size());
+    for (;;) {
+      sparse::SolveResult result;
+      {
+        const ScopedTimer timer(summary_.seconds.solve);
+        result = solver_->solve_columns(right.data(), solution.data(), 1);
+      }
+      if (result || result.status == sparse::SolveStatus::not_converged) break;
+      ++summary_.failed_factorizations;
+      if (result.status != sparse::SolveStatus::not_positive_definite || !policy_.stronger(filter_))
+        return end(Status::failed_factorization, result.message);
+      differentiate();
+      if (!factorize(row)) return false;
+    }
     objective_.extend(solution, direction_);
     return true;
   }
@@ -185,13 +197,12 @@ class Minimizer {
   bool take_step() {
     Iteration row;
     row.iteration = summary_.iterations + 1;
-    if (!factorize(row) || !solve()) return false;
+    if (!factorize(row) || !solve(row)) return false;
     const double slope = gradient_.dot(direction_);
     row.decrement = -0.5 * slope;
     row.filter_strength = filter_.filter == projection::Filter::none ? 0.0 : filter_.strength;
     row.points_filtered = points_filtered_;
     if (!(slope < 0)) return end(Status::failed_line_search, "the Newton direction does not descend");
-    last_decrement_ = row.decrement;
     if (confirm_scaled_ && promises_little(row.decrement)) return end_scaled();
     if (options_.decrement_tolerance > 0 && row.decrement <= options_.decrement_tolerance)
       return end(Status::converged_decrement, "the Newton decrement is within decrement_tolerance");
@@ -211,6 +222,8 @@ class Minimizer {
   bool accept(Iteration& row, const LineSearchResult& search) {
     const double before = summary_.energy, gradient_before = summary_.gradient_inf_norm;
     policy_.step_taken(search.step);
+    const bool full_step = search.step > 0.5 && search.step <= 1;
+    last_decrement_ = exact_model_ && full_step ? row.decrement : std::numeric_limits<double>::infinity();
     filter_ = policy_.first();
     previous_.swap(x_);
     x_.swap(trial_);
@@ -263,7 +276,10 @@ class Minimizer {
   std::unique_ptr<sparse::Solver> solver_;
   Vector gradient_, reduced_, direction_, trial_, previous_;
   double typical_stiffness_ = 0;
-  double last_decrement_ = std::numeric_limits<double>::infinity();  // of the step that led to x_
+  bool exact_model_ = false;  // the Hessian last factorised was neither filtered nor shifted
+  // Of the step that led to x_, when it was a full one of an exact model: only then it says something about
+  // x_.
+  double last_decrement_ = std::numeric_limits<double>::infinity();
   bool confirm_scaled_ = false;  // the gradient has passed the scaled test, the decrement has yet to
   double last_relative_shift_ = 0;
   std::size_t points_filtered_ = 0;

@@ -14,7 +14,7 @@ namespace isostretch::atlas {
 // What it took to get a start without flips.
 enum class StartMethod {
   uniform,   // Tutte's embedding as it is
-  weighted,  // with weights that keep triangles from collapsing
+  weighted,  // with weights that keep triangles from collapsing, or a flat chart as it lies
   untangled  // what was left was untangled
 };
 

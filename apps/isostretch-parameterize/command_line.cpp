@@ -1,7 +1,8 @@
-#include "options.hpp"
+#include "command_line.hpp"
 
 #include "common/exit_code.hpp"
 #include "common/numbers.hpp"
+#include "common/validators.hpp"
 #include "energy_choice.hpp"
 #include "pin_text.hpp"
 
@@ -55,7 +56,7 @@ void CommandLine::declare_cut(CLI::App& cli) {
       ->capture_default_str();
   cli.add_option("--max-distortion", max_distortion_,
                  "Cut further until no length is stretched or shrunk by more than this factor")
-      ->check(CLI::Range(1.0, 1e12))
+      ->check(CLI::Range(1.001, 1e12))
       ->type_name("X");
   cli.add_option("--max-cuts", max_cuts_, "Cuts that --max-distortion may add")
       ->check(whole_number_between(0, 1'000'000))

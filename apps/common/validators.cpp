@@ -1,0 +1,43 @@
+#include "common/validators.hpp"
+
+#include "common/numbers.hpp"
+
+#include <string>
+
+namespace isostretch::app {
+namespace {
+
+std::string in_quotes(const std::string& text) {
+  return "'" + text + "'";
+}
+
+}  // namespace
+
+CLI::Validator not_negative() {
+  return {[](std::string& text) {
+            const auto value = finite_number(text);
+            return value && *value >= 0 ? std::string() : in_quotes(text) + " is not a number >= 0";
+          },
+          "NUMBER>=0"};
+}
+
+CLI::Validator positive() {
+  return {[](std::string& text) {
+            const auto value = finite_number(text);
+            return value && *value > 0 ? std::string() : in_quotes(text) + " is not a number > 0";
+          },
+          "NUMBER>0"};
+}
+
+CLI::Validator whole_number_between(int lowest, int highest) {
+  const std::string range = std::to_string(lowest) + " to " + std::to_string(highest);
+  return {[=](std::string& text) {
+            const auto value = whole_number(text);
+            return value && *value >= lowest && *value <= highest
+                       ? std::string()
+                       : in_quotes(text) + " is not a whole number from " + range;
+          },
+          range};
+}
+
+}  // namespace isostretch::app

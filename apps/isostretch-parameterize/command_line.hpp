@@ -1,0 +1,48 @@
+#pragma once
+
+#include "options.hpp"
+
+#include <isostretch/energies/any_energy.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace isostretch::app::parameterize {
+
+// The options of this app: declared to CLI11, then read with everything that CLI11 cannot check itself.
+class CommandLine {
+ public:
+  void declare(CLI::App& cli);
+
+  // All of these throw Failure with ExitCode::command_line naming the option at fault.
+  Options options() const;
+  energies::AnyEnergy energy() const;
+
+ private:
+  void declare_energy(CLI::App& cli);
+  void declare_pins(CLI::App& cli);
+  void declare_cut(CLI::App& cli);
+  void declare_layout(CLI::App& cli);
+  void declare_solve(CLI::App& cli);
+  void declare_files(CLI::App& cli);
+
+  std::string model_, out_, energy_ = "symmetric_dirichlet", projection_ = "adaptive", initial_ = "tutte";
+  std::string solver_ = "automatic", ordering_ = "automatic";
+  std::vector<std::string> parameters_, pins_, soft_pins_, horizontal_, vertical_;
+  std::optional<double> gradient_tolerance_;
+  double time_limit_ = 0;
+  double max_expansion_ = newton::Options().max_expansion;
+  int max_iterations_ = newton::Options{}.max_iterations;
+  std::string holes_ = "short", seams_ = "input", boundary_ = "free", corners_, pack_ = "auto";
+  int cut_tips_ = Options().cut_tips, max_cuts_ = Options().max_cuts;
+  double max_distortion_ = 0, margin_ = Options().margin;
+  bool check_ = false, triangulate_ = false, repair_ = false, no_cut_ = false, keep_normalized_ = false,
+       no_picture_ = false, glb_ = false;
+};
+
+}  // namespace isostretch::app::parameterize
