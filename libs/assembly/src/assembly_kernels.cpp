@@ -148,7 +148,7 @@ constexpr ElementKernels kernels_for() {
 }  // namespace
 
 extern const AssemblyKernels assembly_kernels;
-const AssemblyKernels assembly_kernels = {{kernels_for<2, 3>(), kernels_for<2, 6>()},
+const AssemblyKernels assembly_kernels = {{kernels_for<2, 3>(), kernels_for<2, 4>(), kernels_for<2, 6>()},
                                           {kernels_for<3, 4>(), kernels_for<3, 8>(), kernels_for<3, 10>()}};
 
 }  // namespace isostretch::assembly::ISOSTRETCH_KERNELS

@@ -15,10 +15,10 @@ std::string element_name(std::size_t element) {
 void require_sizes(const Elements& e) {
   if (e.dim != 2 && e.dim != 3) throw Error("elements of dim " + std::to_string(e.dim) + ": dim is 2 or 3");
   const int n = e.nodes_per_element;
-  const bool known = e.dim == 2 ? n == 3 || n == 6 : n == 4 || n == 8 || n == 10;
+  const bool known = e.dim == 2 ? n == 3 || n == 4 || n == 6 : n == 4 || n == 8 || n == 10;
   if (!known)
     throw Error("elements of " + std::to_string(n) + " nodes in " + std::to_string(e.dim) +
-                "D: there are 3 and 6 in 2D, 4, 8 and 10 in 3D");
+                "D: there are 3, 4 and 6 in 2D, 4, 8 and 10 in 3D");
   if (e.points_per_element < 1) throw Error("elements without quadrature points");
   const std::size_t count = static_cast<std::size_t>(e.element_count());
   if (count == 0) throw Error("there are no elements");

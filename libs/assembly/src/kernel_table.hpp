@@ -38,7 +38,7 @@ struct ElementKernels {
 };
 
 struct AssemblyKernels {
-  ElementKernels planar[2];  // 3, 6 nodes
+  ElementKernels planar[3];  // 3, 4, 6 nodes
   ElementKernels solid[3];   // 4, 8, 10 nodes
 };
 

@@ -2,7 +2,10 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/energies/registry.hpp>
 #include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/mesh/elements.hpp>
 #include <isostretch/mesh/generators.hpp>
+#include <isostretch/mesh/quadratic.hpp>
+#include <isostretch/mesh/structured.hpp>
 #include <isostretch/projection/projection.hpp>
 
 #include <doctest/doctest.h>
@@ -137,6 +140,27 @@ TEST_CASE(
   at_every_level([] {
     check_against_reference<2>(triangles(3), planar_positions(3, 0.05, 1));
     check_against_reference<3>(tets(), solid_positions(0.05, 2));
+  });
+}
+
+TEST_CASE("elements of more nodes and points equal dense element-by-element assembly") {
+  const auto moved = [](const auto& nodes) {
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> uniform(-0.03, 0.03);
+    Eigen::VectorXd x(nodes.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = 1.2 * nodes.data()[i] + uniform(generator);
+    return x;
+  };
+  const mesh::SurfaceMesh grid = mesh::grid(2, 2);
+  const auto quads = mesh::quad_grid(3, 2);
+  const auto curved = mesh::quadratic(mesh::Points2(grid.vertices.leftCols<2>()), grid.triangles);
+  const auto hexes = mesh::hex_bar(2, 1, 1);
+  const auto tets = mesh::quadratic(mesh::tet_bar(1, 1, 1));
+  at_every_level([&] {
+    check_against_reference<2>(assembly::elements_from(mesh::elements(quads)), moved(quads.vertices));
+    check_against_reference<2>(assembly::elements_from(mesh::elements(curved)), moved(curved.nodes));
+    check_against_reference<3>(assembly::elements_from(mesh::elements(hexes)), moved(hexes.vertices));
+    check_against_reference<3>(assembly::elements_from(mesh::elements(tets)), moved(tets.nodes));
   });
 }
 
@@ -300,6 +324,9 @@ TEST_CASE("malformed elements are refused, naming the element") {
   CHECK_THROWS_WITH_AS(EnergyAssembler(none, energy), doctest::Contains("no elements"), Error);
   elements.nodes[7] = 99;
   CHECK_THROWS_WITH_AS(EnergyAssembler(elements, energy), doctest::Contains("element 2: node 99"), Error);
+  Elements five = elements;
+  five.nodes_per_element = 5;
+  CHECK_THROWS_WITH_AS(EnergyAssembler(five, energy), doctest::Contains("3, 4 and 6 in 2D"), Error);
   elements = triangles(2);
   elements.weights[3] = -1;
   CHECK_THROWS_WITH_AS(EnergyAssembler(elements, energy), doctest::Contains("element 3"), Error);

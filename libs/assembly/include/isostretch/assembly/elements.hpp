@@ -10,7 +10,7 @@ namespace isostretch::assembly {
 // * psi(F).
 struct Elements {
   int dim = 0;                 // 2 or 3
-  int nodes_per_element = 0;   // 3 or 6 in 2D; 4, 8 or 10 in 3D
+  int nodes_per_element = 0;   // 3, 4 or 6 in 2D; 4, 8 or 10 in 3D
   int points_per_element = 0;  // quadrature points
   int node_count = 0;
   std::vector<int> nodes;         // [element][node]

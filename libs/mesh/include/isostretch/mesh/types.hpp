@@ -15,6 +15,10 @@ using Points2 = Rows<double, 2>;
 using Points3 = Rows<double, 3>;
 using Triangles = Rows<int, 3>;
 using Tets = Rows<int, 4>;
+using Quads = Rows<int, 4>;
+using Hexes = Rows<int, 8>;
+using QuadraticTriangles = Rows<int, 6>;
+using QuadraticTets = Rows<int, 10>;
 
 // Vertices and elements count from 0. Triangles are counter-clockwise seen from outside.
 struct SurfaceMesh {
@@ -30,6 +34,33 @@ struct SurfaceMesh {
 struct TetMesh {
   Points3 vertices;  // #V x 3
   Tets tets;         // #T x 4
+};
+
+// Nodes of an element are in VTK's order throughout; a node on an edge is between the two corners named.
+
+// Four corners counter-clockwise, bilinear.
+struct QuadMesh {
+  Points2 vertices;  // #V x 2
+  Quads quads;       // #Q x 4
+};
+
+// Four corners counter-clockwise seen from the other four, then those in the same order; trilinear.
+struct HexMesh {
+  Points3 vertices;  // #V x 3
+  Hexes hexes;       // #H x 8
+};
+
+// Three corners counter-clockwise, then nodes on the edges 01, 12, 20. Edges may be curved.
+struct QuadraticTriangleMesh {
+  Points2 nodes;                 // #N x 2
+  QuadraticTriangles triangles;  // #F x 6
+};
+
+// Four corners as in TetMesh, then nodes on the edges 01, 12, 20, 03, 13, 23 (Gmsh has the last two the other
+// way round). Edges and faces may be curved.
+struct QuadraticTetMesh {
+  Points3 nodes;       // #N x 3
+  QuadraticTets tets;  // #T x 10
 };
 
 }  // namespace isostretch::mesh
