@@ -1,5 +1,6 @@
 #include "command_line.hpp"
 
+#include "choice_names.hpp"
 #include "common/exit_code.hpp"
 #include "common/numbers.hpp"
 #include "common/validators.hpp"
@@ -47,7 +48,7 @@ void CommandLine::declare_cut(CLI::App& cli) {
       ->type_name("WHICH")
       ->capture_default_str();
   cli.add_option("--holes", holes_, "Boundary loops inside to keep as holes, not cut to: short, none, all")
-      ->check(CLI::IsMember({"short", "none", "all"}))
+      ->check(CLI::IsMember(all_names(holes_names)))
       ->type_name("WHICH")
       ->capture_default_str();
   cli.add_option("--cut-tips", cut_tips_, "Ends of the cut that opens a closed surface of genus 0, at most")
@@ -68,7 +69,7 @@ void CommandLine::declare_layout(CLI::App& cli) {
   cli.add_option(
          "--boundary", boundary_,
          "free; fixed where the start has it; held on a circle or square: free, fixed, circle, square")
-      ->check(CLI::IsMember({"free", "fixed", "circle", "square"}))
+      ->check(CLI::IsMember(all_names(boundary_names)))
       ->type_name("SHAPE")
       ->capture_default_str();
   cli.add_option("--corners", corners_, "Four boundary vertices for the corners of the square, in order")
@@ -76,7 +77,7 @@ void CommandLine::declare_layout(CLI::App& cli) {
   cli.add_option(
          "--pack", pack_,
          "square: charts side by side in the unit square; none: where they are; auto: square for several")
-      ->check(CLI::IsMember({"auto", "square", "none"}))
+      ->check(CLI::IsMember(all_names(pack_names)))
       ->type_name("HOW")
       ->capture_default_str();
   cli.add_option("--margin", margin_, "Space around packed charts, as a fraction of the square")
@@ -123,7 +124,7 @@ void CommandLine::declare_pins(CLI::App& cli) {
 
 void CommandLine::declare_solve(CLI::App& cli) {
   cli.add_option("--initial", initial_, "Start from Tutte's embedding or the input's uv: tutte, input")
-      ->check(CLI::IsMember({"tutte", "input"}))
+      ->check(CLI::IsMember(all_names(initial_names)))
       ->type_name("START")
       ->capture_default_str();
   cli.add_option("--projection", projection_, "How the Hessian is made definite: adaptive, clamp, abs, none")
@@ -171,11 +172,6 @@ newton::Options solve_options(const std::string& projection, const std::optional
   return options;
 }
 
-template <class Choice>
-Choice chosen(const std::string& name, const std::map<std::string, Choice>& choices) {
-  return choices.at(name);  // CLI11 has checked it
-}
-
 std::vector<int> vertex_list(const std::string& text, const char* option) {
   std::vector<int> vertices;
   if (text.empty()) return vertices;
@@ -221,24 +217,18 @@ Options CommandLine::options() const {
     Options options;
     options.model = model_;
     options.out = out_;
-    options.initial = initial_ == "input" ? Initial::input : Initial::tutte;
+    options.initial = choice_of(initial_names, initial_);
     options.triangulate = triangulate_;
     options.repair = repair_;
     options.cut = !no_cut_;
     options.input_seams = seams_ == "input";
-    options.holes = chosen<mesh::Holes>(
-        holes_,
-        {{"short", mesh::Holes::keep_short}, {"none", mesh::Holes::cut_all}, {"all", mesh::Holes::keep_all}});
+    options.holes = choice_of(holes_names, holes_);
     options.cut_tips = cut_tips_;
     options.max_distortion = max_distortion_;
     options.max_cuts = max_cuts_;
-    options.boundary = chosen<Boundary>(boundary_, {{"free", Boundary::free},
-                                                    {"fixed", Boundary::fixed},
-                                                    {"circle", Boundary::circle},
-                                                    {"square", Boundary::square}});
+    options.boundary = choice_of(boundary_names, boundary_);
     options.corners = vertex_list(corners_, "--corners");
-    options.pack =
-        chosen<Pack>(pack_, {{"auto", Pack::automatic}, {"square", Pack::square}, {"none", Pack::none}});
+    options.pack = choice_of(pack_names, pack_);
     options.margin = margin_;
     options.keep_normalized = keep_normalized_;
     options.picture = !no_picture_;

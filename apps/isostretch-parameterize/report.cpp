@@ -1,5 +1,6 @@
 #include "report.hpp"
 
+#include "choice_names.hpp"
 #include "common/newton_report.hpp"
 #include "common/numbers.hpp"
 #include "common/threads.hpp"
@@ -35,44 +36,6 @@ Json pins_json(const Options& options) {
   return json;
 }
 
-const char* boundary_name(Boundary boundary) {
-  switch (boundary) {
-    case Boundary::free:
-      return "free";
-    case Boundary::fixed:
-      return "fixed";
-    case Boundary::circle:
-      return "circle";
-    case Boundary::square:
-      return "square";
-  }
-  return "";
-}
-
-const char* holes_name(mesh::Holes holes) {
-  switch (holes) {
-    case mesh::Holes::keep_short:
-      return "short";
-    case mesh::Holes::cut_all:
-      return "none";
-    case mesh::Holes::keep_all:
-      return "all";
-  }
-  return "";
-}
-
-const char* pack_name(Pack pack) {
-  switch (pack) {
-    case Pack::automatic:
-      return "auto";
-    case Pack::square:
-      return "square";
-    case Pack::none:
-      return "none";
-  }
-  return "";
-}
-
 Json aligned_json(const Options& options) {
   Json json = Json::array();
   for (const AlignedVertices& line : options.aligned)
@@ -82,7 +45,7 @@ Json aligned_json(const Options& options) {
 
 Json options_json(const Options& options) {
   const newton::Options& solve = options.newton;
-  return {{"initial", options.initial == Initial::input ? "input" : "tutte"},
+  return {{"initial", name_of(initial_names, options.initial)},
           {"projection", newton::projection_name(solve.projection)},
           {"gradient_tolerance", solve.gradient_tolerance},
           {"scaled_gradient_tolerance", solve.scaled_gradient_tolerance},
@@ -91,18 +54,18 @@ Json options_json(const Options& options) {
           {"max_expansion", solve.max_expansion},
           {"solver", sparse::backend_name(solve.solver.backend)},
           {"ordering", sparse::ordering_name(solve.solver.ordering)},
-          {"boundary", boundary_name(options.boundary)},
+          {"boundary", name_of(boundary_names, options.boundary)},
           {"corners", options.corners},
           {"aligned", aligned_json(options)},
           {"triangulate", options.triangulate},
           {"repair", options.repair},
           {"cut", options.cut},
           {"input_seams", options.input_seams},
-          {"holes", holes_name(options.holes)},
+          {"holes", name_of(holes_names, options.holes)},
           {"cut_tips", options.cut_tips},
           {"max_distortion", options.max_distortion},
           {"max_cuts", options.max_cuts},
-          {"pack", pack_name(options.pack)},
+          {"pack", name_of(pack_names, options.pack)},
           {"margin", options.margin},
           {"keep_normalized", options.keep_normalized},
           {"pins", pins_json(options)}};
@@ -210,6 +173,7 @@ Json summary_json(const Result& r, const PhaseSeconds& seconds) {
   json["energy_name"] = r.energy.name();
   json["energy_parameters"] = parameters_json(r.energy);
   json["distortion"] = distortion_json(distortion_statistics(r.solution.stretches, r.start.rest.weights));
+  json["distortion"]["worst"] = r.solution.worst_distortion;
   json["mesh"] = mesh_json(r);
   json["repairs"] = repairs_json(r.domain.repairs);
   json["layout"] = layout_json(r);

@@ -5,19 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace isostretch::app::parameterize {
 namespace {
 
 std::string turned_over(const Json& count) {
   return with_thousands(count) + (count == 1 ? " triangle is turned over" : " triangles are turned over");
-}
-
-// Largest factor by which a length is stretched or shrunk; NaN where that is not finite.
-double worst_factor(const Json& distortion) {
-  const Json &low = distortion.at("min_sigma"), &high = distortion.at("max_sigma");
-  if (!low.is_number() || !high.is_number() || low <= 0) return std::numeric_limits<double>::quiet_NaN();
-  return std::max(high.get<double>(), 1 / low.get<double>());
 }
 
 std::size_t not_converged(const Json& charts) {
@@ -37,7 +31,9 @@ std::vector<std::string> report_warnings(const Json& s) {
   const std::size_t stopped = not_converged(s.at("charts"));
   if (stopped > 0 && s["charts"].size() > 1)
     warnings.push_back(formatted("%zu of %zu charts did not converge.", stopped, s["charts"].size()));
-  const double bound = s.at("options").at("max_distortion"), worst = worst_factor(s.at("distortion"));
+  const double bound = s.at("options").at("max_distortion");
+  const Json& written = s.at("distortion").at("worst");  // null where it is infinite
+  const double worst = written.is_number() ? written.get<double>() : std::numeric_limits<double>::infinity();
   if (bound > 0 && !(worst <= bound))
     warnings.push_back(
         formatted("The largest distortion is %.4g, more than the %.4g asked for.", worst, bound));
