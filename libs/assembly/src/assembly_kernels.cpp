@@ -92,6 +92,24 @@ ISOSTRETCH_INLINE void add_gradient(const ElementChunk& chunk, const Mat<Dim, Pa
       [&](int a, int r, Pack value) { add_entry(G, chunk.stride, a * Dim + r, i, value); });
 }
 
+// Filters where the chunk says so; the mask of points at which anything changed.
+template <int Dim>
+ISOSTRETCH_INLINE Mask<Pack> filter_points(const ElementChunk& chunk, const projection::FilterOptions& filter,
+                                           bool coupled, int i,
+                                           invariants::StretchDerivatives<Dim, Pack>& d) {
+  if (chunk.filtered == nullptr) return projection::apply_filter(filter, d, coupled);
+  const Mask<Pack> wanted = load<Pack>(chunk.filtered + i) > Pack(0.0);
+  const invariants::StretchDerivatives<Dim, Pack> exact = d;
+  const Mask<Pack> changed = wanted & projection::apply_filter(filter, d, coupled);
+  for (int e = 0; e < Dim; ++e) d.diagonal[e] = select(wanted, d.diagonal[e], exact.diagonal[e]);
+  for (int e = 0; e < d.pairs; ++e) {
+    d.twist[e] = select(wanted, d.twist[e], exact.twist[e]);
+    d.flip[e] = select(wanted, d.flip[e], exact.flip[e]);
+    d.coupling[e] = select(wanted, d.coupling[e], exact.coupling[e]);
+  }
+  return changed;
+}
+
 template <int Dim, int Nodes>
 int differentiate(const ElementChunk& chunk, const PointChunk& points,
                   const projection::FilterOptions& filter, bool coupled, double* G, double* H) {
@@ -100,11 +118,11 @@ int differentiate(const ElementChunk& chunk, const PointChunk& points,
     const Mat<Dim, Pack> U = projection::load_matrix<Dim>(points.U, points.stride, i);
     const Mat<Dim, Pack> V = projection::load_matrix<Dim>(points.V, points.stride, i);
     auto d = projection::load_derivatives<Dim>(points.stretch, i);
-    const Pack weight = load<Pack>(chunk.weights + i);
+    const Pack weight = Pack(chunk.scale) * load<Pack>(chunk.weights + i);
     add_gradient<Dim, Nodes>(chunk, projection::pk1(U, d.gradient, V), weight, G, i);
     if (H == nullptr) continue;
     double changed[lanes];
-    store(changed, select(projection::apply_filter(filter, d, coupled), Pack(1.0), Pack(0.0)));
+    store(changed, select(filter_points<Dim>(chunk, filter, coupled, i, d), Pack(1.0), Pack(0.0)));
     for (int k = 0; k < lanes && i + k < chunk.real; ++k) filtered += changed[k] != 0.0;
     add_hessian<Dim, Nodes>(chunk, BlockCoefficients<Dim, Pack>(d, weight), U, V, H, i);
   }

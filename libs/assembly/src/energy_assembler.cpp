@@ -30,16 +30,17 @@ int block_count(int nodes) {
 // Scratch of one thread, laid out once.
 struct Workspace {
   Workspace(int dim, int nodes)
-      : arena(sizeof(double) *
-              (projection::point_chunk_doubles(dim) +
-               size(projection::chunk_size(dim)) * size(3 * nodes * dim + block_count(nodes) * dim * dim) +
-               64)),
+      : arena(sizeof(double) * (projection::point_chunk_doubles(dim) +
+                                size(projection::chunk_size(dim)) *
+                                    size(3 * nodes * dim + block_count(nodes) * dim * dim + 1) +
+                                64)),
         points(projection::bind_point_chunk(dim, arena.doubles(projection::point_chunk_doubles(dim)))) {
     const std::size_t chunk = size(projection::chunk_size(dim));
     X = arena.doubles(chunk * size(nodes * dim));
     DX = arena.doubles(chunk * size(nodes * dim));
     G = arena.doubles(chunk * size(nodes * dim));
     H = arena.doubles(chunk * size(block_count(nodes) * dim * dim));
+    filtered = arena.doubles(chunk);
   }
 
   Arena arena;
@@ -48,7 +49,17 @@ struct Workspace {
   double* DX;
   double* G;
   double* H;
+  double* filtered;
 };
+
+// 1 for the elements with a marked node, 0 for the others.
+void mark_elements(const ElementChunk& chunk, int nodes, const unsigned char* marked, double* filtered) {
+  for (int i = 0; i < chunk.count; ++i) {
+    filtered[i] = 0;
+    for (int a = 0; a < nodes; ++a)
+      if (marked[chunk.nodes[size(a) * chunk.stride + size(i)]] != 0) filtered[i] = 1;
+  }
+}
 
 }  // namespace
 
@@ -67,6 +78,12 @@ EnergyAssembler::EnergyAssembler(const Elements& elements, energies::AnyEnergy e
   order_elements(elements);
   chunk_elements(elements);
   index_gradient();
+}
+
+void EnergyAssembler::set_scale(double scale) {
+  if (!(scale > 0) || !std::isfinite(scale))
+    throw Error("energies are scaled by positive numbers, not by " + std::to_string(scale));
+  scale_ = scale;
 }
 
 // By smallest node: the gather passes walk over nodes, and then read the elements' slots nearly in order.
@@ -157,6 +174,7 @@ void EnergyAssembler::for_each_chunk(const Body& body) const {
       chunk.real = std::min(chunk_, element_count_ - c * chunk_);
       chunk.count = projection::padded_count(chunk.real);
       chunk.stride = lanes;
+      chunk.scale = scale_;
       chunk.nodes = chunk_nodes_.data() + size(c * nodes_) * lanes;
       work.points.count = work.points.stretch.count = chunk.count;
       for (int p = 0; p < points_; ++p) {
@@ -175,7 +193,7 @@ namespace {
 double weighted_sum(const ElementChunk& chunk, const PointChunk& points) {
   double sum = 0;
   for (int i = 0; i < chunk.real; ++i) sum += chunk.weights[i] * points.stretch.psi[i];
-  return sum;
+  return chunk.scale * sum;
 }
 
 Evaluation total(const std::vector<double>& chunk_values) {
@@ -216,31 +234,34 @@ Evaluation EnergyAssembler::differentiate(const double* x, const projection::Fil
   if (hessian) hessian_slots_.resize(size(element_count_) * blocks);
   chunk_values_.assign(size(chunk_count_), 0.0);
   std::vector<int> worst(size(chunk_count_), -1), filtered(size(chunk_count_), 0);
-  for_each_chunk(
-      [&](const ElementKernels& kernels, Workspace& work, int c, int p, const ElementChunk& chunk) {
-        if (p == 0) {
-          kernels.gather(chunk, x, work.X);
-          std::fill_n(work.G, per_element * chunk.stride, 0.0);
-          if (hessian) std::fill_n(work.H, blocks * chunk.stride, 0.0);
-        }
-        kernels.deform(chunk, work.X, work.points, true);
-        energy_.evaluate_derivatives(dim_, work.points.stretch);
-        chunk_values_[size(c)] += weighted_sum(chunk, work.points);
-        for (int i = 0; i < chunk.real && worst[size(c)] < 0; ++i)
-          if (!std::isfinite(work.points.stretch.psi[i])) worst[size(c)] = original_[size(c * chunk_ + i)];
-        filtered[size(c)] += kernels.differentiate(chunk, work.points, filter, energy_.coupled(), work.G,
-                                                   hessian ? work.H : nullptr);
-        if (p + 1 < points_) return;
-        // Out of the chunk's order into one contiguous slot per element, which the gather pass reads.
-        const std::size_t first = size(c * chunk_);
-        for (std::size_t i = 0; i < size(chunk.real); ++i) {
-          double* g = gradient_slots_.data() + (first + i) * per_element;
-          for (std::size_t k = 0; k < per_element; ++k) g[k] = work.G[k * chunk.stride + i];
-          if (!hessian) continue;
-          double* h = hessian_slots_.data() + (first + i) * blocks;
-          for (std::size_t k = 0; k < blocks; ++k) h[k] = work.H[k * chunk.stride + i];
-        }
-      });
+  for_each_chunk([&](const ElementKernels& kernels, Workspace& work, int c, int p, ElementChunk chunk) {
+    if (hessian && filter.nodes != nullptr) {
+      if (p == 0) mark_elements(chunk, nodes_, filter.nodes, work.filtered);
+      chunk.filtered = work.filtered;
+    }
+    if (p == 0) {
+      kernels.gather(chunk, x, work.X);
+      std::fill_n(work.G, per_element * chunk.stride, 0.0);
+      if (hessian) std::fill_n(work.H, blocks * chunk.stride, 0.0);
+    }
+    kernels.deform(chunk, work.X, work.points, true);
+    energy_.evaluate_derivatives(dim_, work.points.stretch);
+    chunk_values_[size(c)] += weighted_sum(chunk, work.points);
+    for (int i = 0; i < chunk.real && worst[size(c)] < 0; ++i)
+      if (!std::isfinite(work.points.stretch.psi[i])) worst[size(c)] = original_[size(c * chunk_ + i)];
+    filtered[size(c)] += kernels.differentiate(chunk, work.points, filter, energy_.coupled(), work.G,
+                                               hessian ? work.H : nullptr);
+    if (p + 1 < points_) return;
+    // Out of the chunk's order into one contiguous slot per element, which the gather pass reads.
+    const std::size_t first = size(c * chunk_);
+    for (std::size_t i = 0; i < size(chunk.real); ++i) {
+      double* g = gradient_slots_.data() + (first + i) * per_element;
+      for (std::size_t k = 0; k < per_element; ++k) g[k] = work.G[k * chunk.stride + i];
+      if (!hessian) continue;
+      double* h = hessian_slots_.data() + (first + i) * blocks;
+      for (std::size_t k = 0; k < blocks; ++k) h[k] = work.H[k * chunk.stride + i];
+    }
+  });
   Evaluation result = total(chunk_values_);
   result.points = point_count();
   for (std::size_t c = 0; c < size(chunk_count_); ++c) {

@@ -18,6 +18,8 @@ struct ElementChunk {
   const int* nodes;         // nodes_per_element entries
   const double* gradients;  // nodes_per_element * dim entries, of one quadrature point
   const double* weights;    // 1 entry, of one quadrature point
+  double scale;             // of the weights
+  const double* filtered;   // 1 entry: 0 where the Hessian stays exact; null filters all
 };
 
 // Kernels for one dimension and number of nodes per element.

@@ -22,6 +22,7 @@
 using namespace isostretch;
 using assembly::Elements;
 using assembly::EnergyAssembler;
+using projection::Filter;
 using tests::at_every_level;
 
 namespace {
@@ -140,6 +141,28 @@ TEST_CASE(
   at_every_level([] {
     check_against_reference<2>(triangles(3), planar_positions(3, 0.05, 1));
     check_against_reference<3>(tets(), solid_positions(0.05, 2));
+  });
+}
+
+TEST_CASE("only elements with a marked node are filtered") {
+  at_every_level([] {
+    const auto elements = tets();
+    const auto energy = energies::make_energy("stable_neo_hookean");
+    const Eigen::VectorXd x = solid_positions(0.4, 2);  // far from rest: indefinite nearly everywhere
+    const auto hessian = [&](Filter filter, const unsigned char* nodes) {
+      return assemble(elements, energy, x, {filter, 0.0, 1.0, nodes}).hessian;
+    };
+    std::vector<unsigned char> marked(static_cast<std::size_t>(elements.node_count), 0);
+    const auto exact = hessian(Filter::none, nullptr), clamped = hessian(Filter::clamp, nullptr);
+    REQUIRE((clamped - exact).norm() > 1e-3 * exact.norm());
+    CHECK(hessian(Filter::clamp, marked.data()) == exact);
+    marked[0] = 1;
+    // Two nodes that share no element with node 0 are coupled as in the exact Hessian.
+    const auto partly = hessian(Filter::clamp, marked.data());
+    CHECK(partly.topLeftCorner(3, 3) == clamped.topLeftCorner(3, 3));
+    CHECK(partly.bottomRightCorner(3, 3) == exact.bottomRightCorner(3, 3));
+    std::fill(marked.begin(), marked.end(), static_cast<unsigned char>(1));
+    CHECK(hessian(Filter::clamp, marked.data()) == clamped);
   });
 }
 

@@ -6,9 +6,6 @@
 namespace isostretch::newton {
 namespace {
 
-// Rounding of a sum of many terms: a few units of relative precision, never the worst case.
-constexpr double energy_rounding = 2e-14;
-
 // The model at hand was too stiff where the first step gains clearly more than it promised: barrier energies
 // far from rest, and filtered Hessians. Energies are cheap beside a factorization, so go on while that pays.
 void expand(Objective& objective, const Vector& x, const Vector& d, double energy, double slope,
@@ -33,15 +30,15 @@ void expand(Objective& objective, const Vector& x, const Vector& d, double energ
 }  // namespace
 
 LineSearchResult search_line(Objective& objective, const Vector& x, const Vector& d, double energy,
-                             double slope, const Options& options, Vector& trial) {
+                             double slope, double noise, const Options& options, Vector& trial) {
   LineSearchResult result;
   const double limit = 1.0 / options.domain_fraction;
   double step = std::min(1.0, options.domain_fraction * objective.max_step(x, d, limit));
-  const double noise = energy_rounding * std::abs(energy);
   for (int i = 0; i < options.max_backtracks; ++i, step *= options.backtracking_factor) {
     trial = x + step * d;
     const double value = objective.value(trial).value;
     ++result.evaluations;
+    if (i == 0) result.model_fit = (energy - value) / (-slope * step * (1 - 0.5 * step));
     const bool anything = options.line_search == LineSearch::none;
     const bool gained = value <= energy + options.armijo * step * slope;
     // Near the end the promise drowns in the rounding of E: equality then is all that can be asked.

@@ -11,12 +11,14 @@ struct LineSearchResult {
       false;  // accepted although, or refused because, the promised gain is below the rounding of E
   double step = 0;
   double energy = 0;
+  // Gain of the first step tried over what the quadratic model promised for it; -infinity outside the domain.
+  double model_fit = 0;
   int evaluations = 0;
 };
 
 // Finds a step along the descent direction d (slope = gradient . d < 0) from x with that energy; `trial` is x
-// + step d when accepted. Only energies are evaluated.
+// + step d when accepted. Differences of energies below `noise` mean nothing. Only energies are evaluated.
 LineSearchResult search_line(Objective& objective, const Vector& x, const Vector& d, double energy,
-                             double slope, const Options& options, Vector& trial);
+                             double slope, double noise, const Options& options, Vector& trial);
 
 }  // namespace isostretch::newton

@@ -34,11 +34,22 @@ double bounding_box_diagonal(const Vector& x, int dim) {
   return std::sqrt(squared);
 }
 
+// On the line from the exact Hessian (0) by clamping (1/2) to absolute values (1).
+double strength_of(const projection::FilterOptions& filter) {
+  if (filter.filter == projection::Filter::none) return 0.0;
+  if (filter.filter == projection::Filter::clamp) return 0.5 * filter.strength;
+  return filter.filter == projection::Filter::bounded_abs ? 0.5 + 0.5 * filter.strength : filter.strength;
+}
+
 // One solve, from start to summary.
 class Minimizer {
  public:
   Minimizer(Objective& objective, Vector& x, const Options& options, const IterationCallback& callback)
-      : objective_(objective), x_(x), options_(options), callback_(callback), policy_(options) {}
+      : objective_(objective),
+        x_(x),
+        options_(options),
+        callback_(callback),
+        policy_(options, objective.has_barrier()) {}
 
   Summary run() {
     if (!start()) return finish();
@@ -55,6 +66,8 @@ class Minimizer {
       matrix_ = objective_.zero_matrix();
       if (matrix_.size > 0) {
         solver_ = sparse::make_solver(options_.solver);
+        axes_ = objective_.axes();
+        tell_positions();
         solver_->analyze(matrix_);
       }
     }
@@ -72,9 +85,17 @@ class Minimizer {
     return record(row);
   }
 
+  void tell_positions() {
+    solver_->set_coordinates(x_.data(), objective_.dim(), objective_.node_count(), axes_);
+  }
+
   // Energy, gradient and the Hessian as filter_ wants it, at x_.
   Evaluation differentiate() {
     const ScopedTimer timer(summary_.seconds.assembly);
+    if (policy_.by_residual()) {
+      objective_.differentiate(x_, filter_, gradient_, false);
+      policy_.choose_nodes(gradient_, objective_.dim(), filter_);
+    }
     const Evaluation at = objective_.differentiate(x_, filter_, gradient_, true);
     objective_.restrict(gradient_, reduced_);
     points_filtered_ = at.points_filtered;
@@ -133,7 +154,22 @@ class Minimizer {
     constexpr double share = 1e-8, share_if_filtered = 1e-12, negligible = 1e-12;
     return decrement <=
            (exact_model_ ? share : share_if_filtered) *
-               std::max(std::abs(summary_.energy), negligible * std::abs(summary_.initial_energy));
+                   std::max(std::abs(summary_.energy), negligible * std::abs(summary_.initial_energy)) +
+               rounding_of_positions();
+  }
+
+  // Differences of energies below this mean nothing: the rounding of a sum of many terms, a few units of
+  // relative precision and never the worst case; and at rest, where the energy vanishes, of the positions.
+  double energy_noise() const {
+    constexpr double relative = 2e-14;
+    return std::max(relative * std::abs(summary_.energy), rounding_of_positions());
+  }
+
+  // Energy of moving every node to and fro in its last digits.
+  double rounding_of_positions() const {
+    constexpr double last_digits = 4e-15;
+    const double length = last_digits * bounding_box_diagonal(x_, objective_.dim());
+    return matrix_.size * typical_stiffness_ * length * length;
   }
 
   bool end_scaled() {
@@ -149,6 +185,7 @@ class Minimizer {
         const ScopedTimer timer(summary_.seconds.factorization);
         if (shift > 0)
           for (int j = 0; j < matrix_.size; ++j) diagonal_entry(j) += shift;
+        tell_positions();
         result = solver_->factorize(matrix_);
       }
       ++row.factorizations;
@@ -173,10 +210,25 @@ class Minimizer {
     }
   }
 
+  // Relative residual for the next solve.
+  void force() {
+    if (options_.largest_forcing == 0) return;
+    constexpr double factor = 0.9, confirming = 1e-3;
+    const double norm = reduced_.norm(), ratio = norm / forced_norm_;
+    double forcing = options_.largest_forcing;
+    if (forced_norm_ > 0) forcing = std::min(forcing, factor * ratio * ratio);
+    // What the step promises decides whether it is the end: it must not be underestimated.
+    if (confirm_scaled_ || options_.decrement_tolerance > 0) forcing = std::min(forcing, confirming);
+    forced_norm_ = norm;
+    solver_->set_tolerance(std::max(forcing, options_.solver.pcg_tolerance));
+  }
+
   // Newton direction over all degrees of freedom. An iterative solver notices only here that the matrix is
-  // indefinite, and gets a stronger filter as a failed factorization does.
+  // indefinite, and gets a stronger filter as a failed factorization does; where there is none left, what it
+  // had found by then descends.
   bool solve(Iteration& row) {
     Vector right = -reduced_, solution(reduced_.size());
+    force();
     for (;;) {
       sparse::SolveResult result;
       {
@@ -185,8 +237,11 @@ class Minimizer {
       }
       if (result || result.status == sparse::SolveStatus::not_converged) break;
       ++summary_.failed_factorizations;
-      if (result.status != sparse::SolveStatus::not_positive_definite || !policy_.stronger(filter_))
+      const bool indefinite = result.status == sparse::SolveStatus::not_positive_definite;
+      if (!indefinite || !policy_.stronger(filter_)) {
+        if (indefinite && right.dot(solution) > 0) break;
         return end(Status::failed_factorization, result.message);
+      }
       differentiate();
       if (!factorize(row)) return false;
     }
@@ -200,7 +255,7 @@ class Minimizer {
     if (!factorize(row) || !solve(row)) return false;
     const double slope = gradient_.dot(direction_);
     row.decrement = -0.5 * slope;
-    row.filter_strength = filter_.filter == projection::Filter::none ? 0.0 : filter_.strength;
+    row.filter_strength = strength_of(filter_);
     row.points_filtered = points_filtered_;
     if (!(slope < 0)) return end(Status::failed_line_search, "the Newton direction does not descend");
     if (confirm_scaled_ && promises_little(row.decrement)) return end_scaled();
@@ -209,7 +264,8 @@ class Minimizer {
     LineSearchResult search;
     {
       const ScopedTimer timer(summary_.seconds.line_search);
-      search = search_line(objective_, x_, direction_, summary_.energy, slope, options_, trial_);
+      search =
+          search_line(objective_, x_, direction_, summary_.energy, slope, energy_noise(), options_, trial_);
     }
     summary_.energy_evaluations += search.evaluations;
     if (!search.accepted)
@@ -221,7 +277,7 @@ class Minimizer {
 
   bool accept(Iteration& row, const LineSearchResult& search) {
     const double before = summary_.energy, gradient_before = summary_.gradient_inf_norm;
-    policy_.step_taken(search.step);
+    policy_.step_taken(search.step, search.model_fit);
     const bool full_step = search.step > 0.5 && search.step <= 1;
     last_decrement_ = exact_model_ && full_step ? row.decrement : std::numeric_limits<double>::infinity();
     filter_ = policy_.first();
@@ -236,6 +292,7 @@ class Minimizer {
     ++summary_.iterations;
     row.energy = at.value;
     row.step = search.step;
+    row.model_fit = search.model_fit;
     row.evaluations = search.evaluations;
     if (!record(row)) return false;
     // Where energies are equal to rounding only the gradient can tell progress from a random walk.
@@ -257,8 +314,10 @@ class Minimizer {
     summary_.seconds.total = timer_.seconds();
     if (solver_) {
       const sparse::Statistics& statistics = solver_->statistics();
-      summary_.solver = std::string(sparse::backend_name(statistics.backend)) + " " +
-                        std::string(sparse::ordering_name(statistics.ordering));
+      summary_.solver = std::string(sparse::backend_name(statistics.backend)) + " ";
+      summary_.solver += statistics.backend == sparse::Backend::pcg
+                             ? sparse::preconditioner_name(statistics.preconditioner)
+                             : sparse::ordering_name(statistics.ordering);
       summary_.factor_nonzeros = statistics.factor_nonzeros;
     }
     return std::move(summary_);
@@ -275,6 +334,8 @@ class Minimizer {
   sparse::SymmetricMatrix matrix_;
   std::unique_ptr<sparse::Solver> solver_;
   Vector gradient_, reduced_, direction_, trial_, previous_;
+  std::vector<int> axes_;   // of the unknowns
+  double forced_norm_ = 0;  // |gradient| at the last inexact solve
   double typical_stiffness_ = 0;
   bool exact_model_ = false;  // the Hessian last factorised was neither filtered nor shifted
   // Of the step that led to x_, when it was a full one of an exact model: only then it says something about

@@ -145,9 +145,21 @@ void Objective::extend(const Vector& reduced, Vector& direction) {
     direction[unknowns.dof(i)] = reduced[tied_ ? tied_->unknown(i) : i];
 }
 
+std::vector<int> Objective::axes() {
+  const auto& unknowns = pattern().unknowns();
+  std::vector<int> axis(static_cast<std::size_t>(zero_matrix().size));
+  for (int i = 0; i < unknowns.size(); ++i)
+    axis[static_cast<std::size_t>(tied_ ? tied_->unknown(i) : i)] = unknowns.dof(i) % dim_;
+  return axis;
+}
+
 double Objective::max_step(const Vector& x, const Vector& dx, double limit) const {
   for (const auto& term : terms_) limit = term->max_step(x, dx, limit);
   return limit;
+}
+
+bool Objective::has_barrier() const {
+  return std::any_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->has_barrier(); });
 }
 
 }  // namespace isostretch::newton

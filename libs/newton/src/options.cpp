@@ -6,8 +6,9 @@
 namespace isostretch::newton {
 namespace {
 
-constexpr Projection all_projections[] = {Projection::adaptive, Projection::clamp, Projection::abs,
-                                          Projection::none};
+constexpr Projection all_projections[] = {Projection::adaptive,     Projection::clamp,
+                                          Projection::abs,          Projection::none,
+                                          Projection::trust_region, Projection::progressive};
 
 void require(bool condition, const char* text) {
   if (!condition) throw Error(std::string("newton options: ") + text);
@@ -25,6 +26,10 @@ std::string_view projection_name(Projection projection) noexcept {
       return "abs";
     case Projection::none:
       return "none";
+    case Projection::trust_region:
+      return "trust_region";
+    case Projection::progressive:
+      return "progressive";
   }
   return "?";
 }
@@ -38,7 +43,8 @@ std::vector<std::string> projection_names() {
 Projection projection_from_name(std::string_view name) {
   for (const Projection projection : all_projections)
     if (projection_name(projection) == name) return projection;
-  throw Error("unknown projection '" + std::string(name) + "'; there are adaptive, clamp, abs, none");
+  throw Error("unknown projection '" + std::string(name) +
+              "'; there are adaptive, clamp, abs, none, trust_region, progressive");
 }
 
 void Options::validate() const {
@@ -53,6 +59,7 @@ void Options::validate() const {
   require(max_backtracks >= 1, "max_backtracks must be at least 1");
   require(domain_fraction > 0 && domain_fraction < 1, "domain_fraction must be between 0 and 1");
   require(relative_shift >= 0 && std::isfinite(relative_shift), "relative_shift must not be negative");
+  require(largest_forcing >= 0 && largest_forcing < 1, "largest_forcing must be between 0 and 1");
   require(max_shifts >= 0, "max_shifts must not be negative");
 }
 

@@ -73,11 +73,12 @@ std::string Summary::full_report() const {
       "%.4f\n",
       seconds.total, seconds.setup, seconds.assembly, seconds.factorization, seconds.solve,
       seconds.line_search);
-  text += "  it       energy          |gradient|_inf  step      decrement   filter  filtered  tried\n";
+  text +=
+      "  it       energy          |gradient|_inf  step      fit       decrement   filter  filtered  tried\n";
   for (const Iteration& row : trace)
-    text += format("%4d  %.14g  %.3e  %.3e  %.3e  %.3f  %8zu  %d\n", row.iteration, row.energy,
-                   row.gradient_inf_norm, row.step, row.decrement, row.filter_strength, row.points_filtered,
-                   row.factorizations);
+    text += format("%4d  %.14g  %.3e  %.3e  %.2e  %.3e  %.3f  %8zu  %d\n", row.iteration, row.energy,
+                   row.gradient_inf_norm, row.step, row.model_fit, row.decrement, row.filter_strength,
+                   row.points_filtered, row.factorizations);
   return text;
 }
 

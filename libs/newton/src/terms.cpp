@@ -13,9 +13,17 @@ Term::~Term() = default;
 double Term::max_step(const Vector&, const Vector&, double limit) const {
   return limit;
 }
+bool Term::has_barrier() const {
+  return false;
+}
 
 EnergyTerm::EnergyTerm(const assembly::Elements& elements, energies::AnyEnergy energy)
     : assembler_(elements, std::move(energy)) {}
+
+void EnergyTerm::set_scale(double scale) {
+  left_out_ = scale == 0;
+  if (!left_out_) assembler_.set_scale(scale);
+}
 
 void EnergyTerm::add_to(assembly::PatternBuilder& builder) const {
   assembler_.add_to(builder);
@@ -24,20 +32,21 @@ void EnergyTerm::bind(const assembly::HessianPattern& pattern) {
   assembler_.bind(pattern);
 }
 Evaluation EnergyTerm::value(const Vector& x) {
-  return assembler_.value(x.data());
+  return left_out_ ? Evaluation{} : assembler_.value(x.data());
 }
 
 Evaluation EnergyTerm::differentiate(const Vector& x, const projection::FilterOptions& filter,
                                      Vector& gradient, bool hessian) {
+  if (left_out_) return {};
   return assembler_.differentiate(x.data(), filter, gradient.data(), hessian);
 }
 
 void EnergyTerm::add_hessian(double* values) const {
-  assembler_.add_hessian(values);
+  if (!left_out_) assembler_.add_hessian(values);
 }
 
 double EnergyTerm::max_step(const Vector& x, const Vector& dx, double limit) const {
-  return assembler_.max_step(x.data(), dx.data(), limit);
+  return left_out_ ? limit : assembler_.max_step(x.data(), dx.data(), limit);
 }
 
 SoftPinTerm::SoftPinTerm(int dim, int node_count, std::vector<SoftPin> pins)

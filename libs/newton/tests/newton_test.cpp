@@ -69,7 +69,8 @@ TEST_CASE("every energy of the plane flattens a curved disk; every projection re
       continue;
     CAPTURE(name);
     double best = std::numeric_limits<double>::quiet_NaN();
-    for (const Projection projection : {Projection::clamp, Projection::adaptive, Projection::abs}) {
+    for (const Projection projection : {Projection::clamp, Projection::adaptive, Projection::abs,
+                                        Projection::trust_region, Projection::progressive}) {
       auto objective = face.objective(energy);
       Vector x = face.start;
       newton::Options options = tight();
@@ -241,8 +242,8 @@ TEST_CASE("starts outside the domain, not finite, or of the wrong size") {
   options.armijo = 2;
   x = face.start;
   CHECK_THROWS_WITH_AS(newton::minimize(objective, x, options), doctest::Contains("armijo"), Error);
-  CHECK_THROWS_WITH_AS(newton::projection_from_name("magic"), doctest::Contains("adaptive, clamp, abs, none"),
-                       Error);
+  CHECK_THROWS_WITH_AS(newton::projection_from_name("magic"),
+                       doctest::Contains("adaptive, clamp, abs, none, trust_region, progressive"), Error);
 }
 
 TEST_CASE("everything pinned, or nothing to do, converges at once") {

@@ -11,18 +11,20 @@ std::string_view filter_name(Filter filter) noexcept {
       return "clamp";
     case Filter::abs:
       return "abs";
+    case Filter::bounded_abs:
+      return "bounded_abs";
   }
   return "?";
 }
 
 std::vector<std::string> filter_names() {
-  return {"none", "clamp", "abs"};
+  return {"none", "clamp", "abs", "bounded_abs"};
 }
 
 Filter filter_from_name(std::string_view name) {
-  for (const Filter filter : {Filter::none, Filter::clamp, Filter::abs})
+  for (const Filter filter : {Filter::none, Filter::clamp, Filter::abs, Filter::bounded_abs})
     if (filter_name(filter) == name) return filter;
-  throw Error("unknown filter '" + std::string(name) + "'; there are none, clamp, abs");
+  throw Error("unknown filter '" + std::string(name) + "'; there are none, clamp, abs, bounded_abs");
 }
 
 }  // namespace isostretch::projection

@@ -168,11 +168,58 @@ TEST_CASE("a Hessian that is positive semi-definite passes every filter bit for 
   const auto energy = energies::make_energy("neo_hookean_log");
   const Eigen::Matrix3d F = 1.2 * Eigen::Matrix3d::Identity();
   const auto exact = projection::evaluate<3>(energy, F, {Filter::none});
-  for (const Filter filter : {Filter::clamp, Filter::abs}) {
+  for (const Filter filter : {Filter::clamp, Filter::abs, Filter::bounded_abs}) {
     const auto filtered = projection::evaluate<3>(energy, F, {filter});
     CHECK_FALSE(filtered.filtered);
     CHECK((filtered.H.array() == exact.H.array()).all());
   }
+}
+
+// Where no eigenvalue is more negative than the largest of the rest, absolute values are not bounded.
+TEST_CASE("bounded absolute values: clamping at strength 0, absolute values at 1 within the bound") {
+  tests::at_every_level([] {
+    for (const auto& name : energies::energy_names()) {
+      const auto energy = energies::make_energy(name);
+      if (!energy.supports(3)) continue;
+      CAPTURE(name);
+      for (const auto& F : deformations<3>(!energy.has_barrier())) {
+        CAPTURE(F);
+        const auto exact = projection::evaluate<3>(energy, F, {Filter::none});
+        if (!std::isfinite(exact.psi) || exact.H.norm() > 1e11) continue;
+        const double norm = exact.H.norm();
+        const auto bounded = [&](double strength) {
+          return projection::evaluate<3>(energy, F, {Filter::bounded_abs, 0.0, strength}).H;
+        };
+        const auto clamped = projection::evaluate<3>(energy, F, {Filter::clamp}).H;
+        const auto absolute = projection::evaluate<3>(energy, F, {Filter::abs}).H;
+        CHECK((bounded(0.0) - clamped).norm() <= 1e-13 * norm + 1e-14);
+        // Between the two in the order of positive semi-definite matrices.
+        const auto smallest = [](const Hessian<3>& H) {
+          return Eigen::SelfAdjointEigenSolver<Hessian<3>>(H).eigenvalues()[0];
+        };
+        for (const double strength : {0.3, 1.0}) {
+          CHECK(smallest(bounded(strength) - clamped) >= -1e-13 * norm);
+          CHECK(smallest(absolute - bounded(strength)) >= -1e-13 * norm);
+        }
+        const Eigen::SelfAdjointEigenSolver<Hessian<3>> eigen(exact.H);
+        const auto& lambda = eigen.eigenvalues();
+        // The largest eigenvalue of a shear that stiffens is a flip or a scaling mode; twists soften.
+        if (lambda[0] < 0 && -lambda[0] < lambda[8] && name == "stable_neo_hookean")
+          CHECK((bounded(1.0) - absolute).norm() <= 1e-13 * norm);
+      }
+    }
+  });
+}
+
+TEST_CASE("a twist without bounds does not make the body rigid: bounded absolute values stay finite") {
+  const auto energy = energies::make_energy("arap");
+  const Eigen::Matrix3d collapsed = Eigen::Matrix3d::Zero();
+  const auto largest = [&](Filter filter) {
+    const auto H = projection::evaluate<3>(energy, collapsed, {filter}).H;
+    return Eigen::SelfAdjointEigenSolver<Hessian<3>>(H).eigenvalues()[8];
+  };
+  CHECK(largest(Filter::abs) > 1e10);
+  CHECK(largest(Filter::bounded_abs) == doctest::Approx(2.0));
 }
 
 TEST_CASE("strength moves eigenvalues part of the way, 0 not at all") {

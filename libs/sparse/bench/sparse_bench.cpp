@@ -1,10 +1,12 @@
-// Factorization and solution of block Laplacians: back ends and orderings.
+// Factorization and solution: block Laplacians by back ends and orderings, elasticity by preconditioners too.
+#include "../tests/elasticity.hpp"
 #include "../tests/matrices.hpp"
 
 #include <isostretch/sparse/solver.hpp>
 
 #include <benchmark/benchmark.h>
 
+#include <fstream>
 #include <string>
 
 using namespace isostretch::sparse;
@@ -52,6 +54,69 @@ void register_all(const std::string& name, const SymmetricMatrix& A) {
     }
 }
 
+// Largest memory of the process so far, in MB: run one case a process for a figure of its own.
+double peak_memory() {
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  double kilobytes = 0;
+  while (status >> word)
+    if (word == "VmHWM:") status >> kilobytes;
+  return kilobytes / 1024;
+}
+
+// One matrix from nothing: analysis, factorization and one solution.
+void solve_elasticity(benchmark::State& state, const test::ElasticBox& box, const Options& options) {
+  const test::ElasticSystem system = test::elastic_box(box);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(system.A.size), x;
+  for (int i = 2; i < system.A.size; i += 3) b[i] = 1;  // a load sideways
+  for (auto _ : state) {
+    const auto solver = make_solver(options);
+    solver->set_coordinates(system.coords.data(), 3, system.nodes);
+    solver->analyze(system.A);
+    solver->factorize(system.A);
+    const SolveResult result = solver->solve(b, x);
+    report(state, *solver);
+    state.counters["multiplications"] = result.iterations;
+    if (!result) state.SkipWithError(result.message.c_str());
+  }
+  state.counters["unknowns"] = system.A.size;
+  state.counters["residual"] = test::relative_residual(system.A, x, b);
+  state.counters["peak_MB"] = peak_memory();
+}
+
+void register_case(const std::string& name, const test::ElasticBox& box, const Options& options) {
+  benchmark::RegisterBenchmark(
+      name.c_str(), [box, options](benchmark::State& state) { solve_elasticity(state, box, options); })
+      ->Unit(benchmark::kMillisecond)
+      ->Iterations(1)
+      ->UseRealTime();
+}
+
+// elasticity/<cells along an edge>/<material>/<solver>/<tolerance>
+void register_elasticity(int cells, const std::string& material, double poisson, double height) {
+  test::ElasticBox box;
+  for (int& n : box.cells) n = cells;
+  box.poisson = poisson;
+  box.size[2] = height;
+  const std::string name = "elasticity/" + std::to_string(cells) + "/" + material + "/";
+  for (const Backend backend : {Backend::automatic, Backend::cholmod_supernodal, Backend::eigen_ldlt}) {
+    if (!is_available(backend)) continue;
+    Options options;
+    options.backend = backend;
+    register_case(name + std::string(backend_name(backend)), box, options);
+  }
+  for (const Preconditioner preconditioner :
+       {Preconditioner::jacobi, Preconditioner::block_jacobi, Preconditioner::incomplete_cholesky,
+        Preconditioner::stale_cholesky, Preconditioner::amg})
+    for (const char* tolerance : {"1e-4", "1e-8"}) {
+      Options options;
+      options.backend = Backend::pcg;
+      options.pcg_preconditioner = preconditioner;
+      options.pcg_tolerance = std::stod(tolerance);
+      register_case(name + std::string(preconditioner_name(preconditioner)) + "/" + tolerance, box, options);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -63,5 +128,10 @@ int main(int argc, char** argv) {
   register_all("grid_2d/25921_nodes", large);
   register_all("grid_3d/729_nodes", tets_small);
   register_all("grid_3d/4913_nodes", tets);
+  for (const int cells : {12, 16, 24, 32, 40, 56}) {
+    register_elasticity(cells, "plain", 0.3, 1);
+    register_elasticity(cells, "incompressible", 0.495, 1);
+    register_elasticity(cells, "flat", 0.3, 0.1);
+  }
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -77,6 +77,7 @@ class CholmodSolver final : public Solver {
   }
 
   FactorResult do_factorize(const SymmetricMatrix& A) override {
+    ++statistics_.factorizations;
     permuted_.gather(A);
     cholmod_sparse view = CholmodSession::view(permuted_.matrix());
     cholmod_common& c = *session_.common();

@@ -37,6 +37,7 @@ class EigenSolver final : public Solver {
   }
 
   FactorResult do_factorize(const SymmetricMatrix& A) override {
+    ++statistics_.factorizations;
     permuted_.gather(A);
     factor_.factorize(view());
     statistics_.factor_nonzeros =

@@ -1,4 +1,6 @@
+#include "automatic_solver.hpp"
 #include "cholmod_solver.hpp"
+#include "direct_solver.hpp"
 #include "eigen_solver.hpp"
 #include "pcg_solver.hpp"
 
@@ -21,17 +23,26 @@ void require_valid(const Options& options) {
     throw Error("pcg_tolerance is " + std::to_string(options.pcg_tolerance) + ", not between 0 and 1");
   if (options.pcg_max_iterations < 0)
     throw Error("pcg_max_iterations is negative: " + std::to_string(options.pcg_max_iterations));
+  if (options.stale_max_iterations < 0)
+    throw Error("stale_max_iterations is negative: " + std::to_string(options.stale_max_iterations));
+  if (!(options.automatic_max_flops >= 0))
+    throw Error("automatic_max_flops is " + std::to_string(options.automatic_max_flops) + ", not 0 or more");
 }
 
 }  // namespace
 
-std::unique_ptr<Solver> make_solver(const Options& options) {
-  require_valid(options);
-  if (options.backend == Backend::pcg) return make_pcg_solver(options);
+std::unique_ptr<Solver> make_direct_solver(const Options& options) {
 #if defined(ISOSTRETCH_WITH_CHOLMOD)
   if (options.backend != Backend::eigen_ldlt) return make_cholmod_solver(options);
 #endif
   return make_eigen_solver(options);
+}
+
+std::unique_ptr<Solver> make_solver(const Options& options) {
+  require_valid(options);
+  if (options.backend == Backend::pcg) return make_pcg_solver(options);
+  if (options.backend == Backend::automatic) return make_automatic_solver(options);
+  return make_direct_solver(options);
 }
 
 }  // namespace isostretch::sparse

@@ -11,7 +11,8 @@ namespace {
 constexpr std::array<std::string_view, 5> backend_names = {"automatic", "cholmod_supernodal",
                                                            "cholmod_simplicial", "eigen_ldlt", "pcg"};
 constexpr std::array<std::string_view, 4> ordering_names = {"automatic", "amd", "metis", "natural"};
-constexpr std::array<std::string_view, 2> preconditioner_names = {"jacobi", "block_jacobi"};
+constexpr std::array<std::string_view, 5> preconditioner_names = {
+    "jacobi", "block_jacobi", "incomplete_cholesky", "stale_cholesky", "amg"};
 
 template <class Enum, class Names>
 Enum from_name(std::string_view name, const Names& names, const char* what) {

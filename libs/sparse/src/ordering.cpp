@@ -22,6 +22,11 @@ std::vector<int> natural_ordering(int size) {
   return permutation;
 }
 
+// Triangle meshes have about 4 entries a node in the lower triangle of the graph, tetrahedral ones 7 to 8.
+bool dense_as_in_3d(const SymmetricMatrix& graph) {
+  return graph.nonzeros() > 5.5 * graph.size;
+}
+
 #if defined(ISOSTRETCH_WITH_CHOLMOD)
 
 std::vector<int> graph_ordering(const SymmetricMatrix& graph, Ordering wanted) {
@@ -38,13 +43,11 @@ std::vector<int> graph_ordering(const SymmetricMatrix& graph, Ordering wanted) {
   return permutation;
 }
 
-// Measured (README.md). Triangle meshes have about 4 entries a node in the lower triangle of the graph,
-// tetrahedral ones 7 to 8. In 3D nested dissection saves up to half of every factorization; in 2D it gains
+// Measured (README.md). In 3D nested dissection saves up to half of every factorization; in 2D it gains
 // nothing that its own time would not eat up.
 Ordering choose(const SymmetricMatrix& graph) {
   constexpr int small = 1000;
-  const bool three_dimensional = graph.nonzeros() > 5.5 * graph.size;
-  return three_dimensional && graph.size >= small ? Ordering::metis : Ordering::amd;
+  return dense_as_in_3d(graph) && graph.size >= small ? Ordering::metis : Ordering::amd;
 }
 
 #else
@@ -99,6 +102,10 @@ GroupGraph group_graph(const SymmetricMatrix& A) {
   }
   G.value.assign(G.row.size(), 0.0);
   return graph;
+}
+
+bool is_of_3d_kind(const SymmetricMatrix& A) {
+  return dense_as_in_3d(group_graph(A).matrix);
 }
 
 OrderingResult compute_ordering(const SymmetricMatrix& A, Ordering wanted) {

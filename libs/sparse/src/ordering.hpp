@@ -15,6 +15,9 @@ struct OrderingResult {
 // Fill-reducing ordering, computed on the graph of the groups and expanded to unknowns.
 OrderingResult compute_ordering(const SymmetricMatrix& A, Ordering wanted);
 
+// Whether the graph of the groups has the density of a tetrahedral mesh rather than a triangular one.
+bool is_of_3d_kind(const SymmetricMatrix& A);
+
 // Lower triangle of the graph of the groups, one unknown per group, values zero.
 struct GroupGraph {
   SymmetricMatrix matrix;

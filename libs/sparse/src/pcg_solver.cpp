@@ -1,8 +1,7 @@
 #include "pcg_solver.hpp"
 
 #include "preconditioner.hpp"
-
-#include <isostretch/core/vector.hpp>
+#include "vector_operations.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -17,37 +16,60 @@ std::string scientific(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific, 2).ptr};
 }
 
-// Without overflow or underflow on the way.
-double norm(const Eigen::Ref<const Vector>& x) {
-  const double scale = x.cwiseAbs().maxCoeff();
-  return scale > 0 && std::isfinite(scale) ? scale * (x / scale).norm() : scale;
-}
+enum class Descent { converged, limit, negative_curvature, not_finite };
 
-// Preconditioned conjugate gradients (Hestenes & Stiefel 1952), started from zero. The recurrence for the
-// residual drifts from the true one, so convergence counts only when b - A x itself is small; otherwise it
-// starts again from x.
+// Preconditioned conjugate gradients (Hestenes & Stiefel 1952), started from zero; truncated where the
+// curvature is negative (Steihaug 1983). The recurrence for the residual drifts from the true one, so
+// convergence counts only when b - A x itself is small; otherwise it starts again from x.
 class PcgSolver final : public Solver {
  public:
-  explicit PcgSolver(const Options& options) : options_(options) {
+  explicit PcgSolver(const Options& options) : options_(options), method_(make_preconditioner(options)) {
     statistics_.backend = Backend::pcg;
     statistics_.ordering = Ordering::natural;
+    statistics_.preconditioner = options.pcg_preconditioner;
+    tolerance_ = options.pcg_tolerance;
   }
 
  private:
+  void do_set_tolerance(double tolerance) override { tolerance_ = tolerance; }
+
+  void do_set_coordinates(const double* positions, int dim, int nodes,
+                          const std::vector<int>& axis) override {
+    coordinates_.position.assign(positions, positions + static_cast<std::size_t>(dim) * nodes);
+    coordinates_.dim = dim;
+    coordinates_.axis = axis;
+  }
+
   FactorResult do_analyze(const SymmetricMatrix& A) override {
-    preconditioner_.analyze(A, options_.pcg_preconditioner);
-    return {};
+    made_ = false;
+    system_.analyze(A, coordinates_);
+    for (std::vector<double>* vector : {&b_, &x_, &residual_, &z_, &direction_, &product_})
+      vector->assign(system_.size(), 0.0);
+    const FactorResult result = method_->analyze(A, system_);
+    method_->report(statistics_);
+    return result;
   }
 
   FactorResult do_factorize(const SymmetricMatrix& A) override {
-    const FactorResult result = preconditioner_.factorize(A);
-    if (result) matrix_ = A;
+    system_.gather(A.value);
+    fresh_ = false;
+    if (made_ && !renew_ && method_->stale_iterations() > 0) return {};
+    return renew();
+  }
+
+  FactorResult renew() {
+    ++statistics_.factorizations;
+    const FactorResult result = method_->factorize(system_, coordinates_);
+    method_->report(statistics_);
+    made_ = fresh_ = static_cast<bool>(result);
+    renew_ = false;
     return result;
   }
 
   SolveResult do_solve(const double* b, double* x, int columns) override {
     SolveResult all;
-    for (int c = 0; c < columns; ++c, b += matrix_.size, x += matrix_.size) {
+    const auto size = static_cast<std::ptrdiff_t>(unknowns());
+    for (int c = 0; c < columns; ++c, b += size, x += size) {
       const SolveResult one = solve_one(b, x);
       all.iterations += one.iterations;
       all.relative_residual = std::max(all.relative_residual, one.relative_residual);
@@ -56,57 +78,89 @@ class PcgSolver final : public Solver {
         all.message = one.message;
       }
     }
+    statistics_.multiplications += all.iterations;
     return all;
   }
 
-  SolveResult solve_one(const double* b_data, double* x_data) {
-    const Eigen::Map<const Vector> b(b_data, matrix_.size);
-    Eigen::Map<Vector> x(x_data, matrix_.size);
-    x.setZero();
+  // Solves for b / max |b|: no square of an entry overflows or vanishes then.
+  SolveResult solve_one(const double* b, double* x) {
+    system_.pad(b, b_.data());
+    std::fill(x_.begin(), x_.end(), 0.0);
+    const double unit = max_magnitude(b_.data(), system_.size());
     SolveResult result;
-    const double b_norm = norm(b);
-    if (b_norm == 0) return result;
-    const int limit = options_.pcg_max_iterations > 0 ? options_.pcg_max_iterations : 10 * matrix_.size + 100;
-    residual_ = b;
+    if (unit > 0) {
+      for (double& entry : b_) entry /= unit;
+      result = iterate();
+      if (result.status != SolveStatus::ok || result.iterations > method_->stale_iterations()) renew_ = true;
+      for (double& entry : x_) entry *= unit;
+    }
+    system_.unpad(x_.data(), x);
+    return result;
+  }
+
+  SolveResult iterate() {
+    const int limit = options_.pcg_max_iterations > 0 ? options_.pcg_max_iterations : 10 * unknowns() + 100;
+    SolveResult result;
+    const double b_norm = std::sqrt(dot(b_, b_));
+    residual_ = b_;
     result.relative_residual = 1;
-    for (;;) {
+    // A second round aims lower: the recurrence has drifted above the true residual's target before.
+    for (double target = tolerance_ * b_norm;; target *= 0.5) {
       const double before = result.relative_residual;
-      const bool curved = descend(x, options_.pcg_tolerance * b_norm, limit, result.iterations);
-      product_.resize(matrix_.size);
-      matrix_.multiply(x.data(), product_.data());
-      residual_ = b - product_;
-      result.relative_residual = norm(residual_) / b_norm;
-      if (result.relative_residual <= options_.pcg_tolerance) return result;
-      if (curved)
+      const Descent end = descend(target, std::min(limit, patience(result)), result.iterations);
+      multiply(system_.matrix(), x_.data(), residual_.data());
+      result.relative_residual = std::sqrt(residual_from_product(b_, residual_)) / b_norm;
+      if (result.relative_residual <= tolerance_) return result;
+      if (end == Descent::negative_curvature)
         return stopped(result, SolveStatus::not_positive_definite, "direction of negative curvature");
+      if (end == Descent::not_finite) return stopped(result, SolveStatus::failed, "overflow");
       if (result.iterations >= limit) return stopped(result, SolveStatus::not_converged, "iteration limit");
+      if (end == Descent::limit) {
+        const FactorResult renewed = renew();
+        if (!renewed) return stopped(result, status_of(renewed), renewed.message.c_str());
+        continue;
+      }
       // A fresh start that gains nothing has met the rounding of A x.
       if (!(result.relative_residual < 0.5 * before))
         return stopped(result, SolveStatus::not_converged, "no further progress");
     }
   }
 
-  // Improves x from residual_ = b - A x until the recurrence says `target`; true: met p^T A p <= 0.
-  bool descend(Eigen::Map<Vector>& x, double target, int limit, int& iterations) {
-    z_.resize(matrix_.size);
-    product_.resize(matrix_.size);
-    preconditioner_.apply(residual_.data(), z_.data());
+  // With a preconditioner of an earlier matrix that serves badly it is better not to go on to the end.
+  int patience(const SolveResult& result) const {
+    constexpr int none = 1 << 30;
+    return fresh_ || result.iterations > 0 ? none : 2 * method_->stale_iterations();
+  }
+
+  // Improves x_ from residual_ = b - A x until the recurrence says `target`.
+  Descent descend(double target, int limit, int& iterations) {
+    method_->apply(residual_.data(), z_.data());
     direction_ = z_;
-    double rho = residual_.dot(z_);
-    while (iterations < limit && norm(residual_) > target) {
+    double rho = dot(residual_, z_), norm = std::sqrt(dot(residual_, residual_));
+    while (norm > target) {
+      if (iterations >= limit) return Descent::limit;
       ++iterations;
-      matrix_.multiply(direction_.data(), product_.data());
-      const double curvature = direction_.dot(product_);
-      if (!(curvature > 0)) return true;
-      const double step = rho / curvature;
-      x += step * direction_;
-      residual_ -= step * product_;
-      preconditioner_.apply(residual_.data(), z_.data());
-      const double next = residual_.dot(z_);
-      direction_ = z_ + (next / rho) * direction_;
+      multiply(system_.matrix(), direction_.data(), product_.data());
+      const double curvature = dot(direction_, product_);
+      if (!std::isfinite(curvature) || !std::isfinite(rho)) return Descent::not_finite;
+      // The preconditioner of a positive definite matrix is so as well.
+      if (!(curvature > 0 && rho > 0)) return Descent::negative_curvature;
+      norm = std::sqrt(advance(rho / curvature, direction_, product_, x_, residual_));
+      if (!std::isfinite(norm)) return Descent::not_finite;
+      if (norm <= target) break;
+      method_->apply(residual_.data(), z_.data());
+      const double next = dot(residual_, z_);
+      update_direction(z_, next / rho, direction_);
       rho = next;
     }
-    return false;
+    return Descent::converged;
+  }
+
+  int unknowns() const { return static_cast<int>(system_.unknowns()); }
+
+  static SolveStatus status_of(const FactorResult& result) {
+    return result.status == FactorStatus::not_positive_definite ? SolveStatus::not_positive_definite
+                                                                : SolveStatus::failed;
   }
 
   static SolveResult stopped(SolveResult result, SolveStatus status, const char* reason) {
@@ -118,9 +172,14 @@ class PcgSolver final : public Solver {
   }
 
   Options options_;
-  SymmetricMatrix matrix_;
-  BlockDiagonal preconditioner_;
-  Vector residual_, z_, direction_, product_;
+  Coordinates coordinates_;
+  NodeSystem system_;
+  std::unique_ptr<PreconditionerMethod> method_;
+  bool made_ = false;   // there is a preconditioner
+  bool fresh_ = false;  // made for the matrix at hand
+  bool renew_ = false;  // make one for the next matrix
+  double tolerance_ = 0;
+  std::vector<double> b_, x_, residual_, z_, direction_, product_;
 };
 
 }  // namespace

@@ -1,26 +1,38 @@
 #pragma once
 
+#include "node_system.hpp"
+
 #include <isostretch/sparse/solver.hpp>
 
-#include <vector>
+#include <memory>
 
 namespace isostretch::sparse {
 
-// Inverse of the diagonal blocks of A: one block per group, or one per unknown (Jacobi).
-class BlockDiagonal {
+// What conjugate gradients multiply residuals with: a fixed symmetric positive definite approximation of the
+// inverse. Vectors are padded ones of the NodeSystem.
+class PreconditionerMethod {
  public:
-  void analyze(const SymmetricMatrix& A, Preconditioner kind);
-  // Cholesky factors of the blocks; the first block that has none ends it with its column.
-  FactorResult factorize(const SymmetricMatrix& A);
-  void apply(const double* r, double* z) const;  // z = M^-1 r
+  PreconditionerMethod() = default;
+  virtual ~PreconditionerMethod();
+  PreconditionerMethod(const PreconditionerMethod&) = delete;
+  PreconditionerMethod& operator=(const PreconditionerMethod&) = delete;
 
- private:
-  int size_of(std::size_t block) const { return first_[block + 1] - first_[block]; }
-  void copy_block(const SymmetricMatrix& A, std::size_t block, double* values) const;
+  // Once per pattern, and for every matrix. A matrix seen to be indefinite is a status. A failed factorize()
+  // leaves nothing to apply.
+  virtual FactorResult analyze(const SymmetricMatrix& A, const NodeSystem& system);
+  virtual FactorResult factorize(const NodeSystem& system, const Coordinates& coordinates) = 0;
+  virtual void apply(const double* r, double* z) = 0;  // z = M^-1 r
 
-  std::vector<int> first_;           // block -> first unknown
-  std::vector<std::size_t> offset_;  // block -> its values
-  std::vector<double> values_;       // dense lower factors, column by column
+  // How many multiplications a solve may take with a preconditioner made for an earlier matrix before it is
+  // made anew; 0: it is made for every matrix.
+  virtual int stale_iterations() const { return 0; }
+  virtual void report(Statistics&) const {}
+
+ protected:
+  // "not positive definite", with the caller's number of the unknown; slot -1: not known.
+  static FactorResult not_positive_definite(const NodeSystem& system, int slot, const char* where);
 };
+
+std::unique_ptr<PreconditionerMethod> make_preconditioner(const Options& options);
 
 }  // namespace isostretch::sparse

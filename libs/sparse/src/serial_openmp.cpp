@@ -5,8 +5,8 @@
 namespace isostretch::sparse {
 namespace {
 
-// The runtime that CHOLMOD was linked with is found by name at run time: compiling with OpenMP ourselves
-// might bring in a second one, and would change Eigen's inline code.
+// The runtime that CHOLMOD was linked with is found by name at run time: this library is built without OpenMP
+// where the compiler has none, and CHOLMOD may still have one.
 struct Runtime {
   using Get = int (*)();
   using Set = void (*)(int);

@@ -66,6 +66,23 @@ SolveResult Solver::solve_columns(const double* b, double* x, int columns) {
   return do_solve(b, x, columns);
 }
 
+void Solver::set_tolerance(double tolerance) {
+  if (!(tolerance > 0 && tolerance < 1))
+    throw Error("sparse solver: tolerance " + std::to_string(tolerance) + " is not between 0 and 1");
+  do_set_tolerance(tolerance);
+}
+
+void Solver::set_coordinates(const double* positions, int dim, int nodes, const std::vector<int>& axis) {
+  if (dim != 2 && dim != 3)
+    throw Error("sparse solver: coordinates of dimension " + std::to_string(dim) + ", not 2 or 3");
+  if (nodes < 0) throw Error("sparse solver: coordinates of " + std::to_string(nodes) + " nodes");
+  for (int node = 0; node < nodes; ++node)
+    for (int a = 0; a < dim; ++a)
+      if (!std::isfinite(positions[static_cast<std::size_t>(dim) * node + a]))
+        throw Error("sparse solver: a coordinate of node " + std::to_string(node) + " is not finite");
+  do_set_coordinates(positions, dim, nodes, axis);
+}
+
 void Solver::require_rows(Eigen::Index rows) const {
   if (rows != size_)
     throw Error("sparse solver: right-hand side has " + std::to_string(rows) + " rows, the matrix " +

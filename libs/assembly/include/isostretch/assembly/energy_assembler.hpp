@@ -35,6 +35,10 @@ class EnergyAssembler {
   }
   const energies::AnyEnergy& energy() const { return energy_; }
 
+  // Factor of all weights from here on, 1 at first. Throws Error unless it is positive and finite.
+  void set_scale(double scale);
+  double scale() const { return scale_; }
+
   void add_to(PatternBuilder& builder) const;
   // Prepares add_hessian() for a pattern that holds what add_to() added.
   void bind(const HessianPattern& pattern);
@@ -77,6 +81,7 @@ class EnergyAssembler {
   int element_count_;
   int chunk_;
   int chunk_count_;
+  double scale_ = 1;
 
   // In chunks: [chunk][node][lane], [chunk][point][node * dim][lane], [chunk][point][lane].
   std::vector<int> chunk_nodes_;

@@ -59,10 +59,14 @@ class Objective {
   // A gradient over the unknowns, and a direction over all degrees of freedom (zero at pinned ones).
   void restrict(const Vector& gradient, Vector& reduced);
   void extend(const Vector& reduced, Vector& direction);
+  // Axis of every unknown.
+  std::vector<int> axes();
   // Throws Error naming two nodes that are tied but differ in x.
   void require_tied(const Vector& x) const;
 
   double max_step(const Vector& x, const Vector& dx, double limit) const;
+  // Whether one of the terms has a barrier.
+  bool has_barrier() const;
 
  private:
   void require_node(int node) const;

@@ -15,6 +15,12 @@ enum class Projection {
   clamp,     // every negative eigenvalue at every quadrature point to zero
   abs,       // to its absolute value
   none,      // nothing; a failed factorization is answered by a diagonal shift
+  // None, clamp or abs by how well the model fitted the last step (after Chen et al. 2024, "Trust-Region
+  // Eigenvalue Filtering for Projected Newton"); clamp where none does not factorise.
+  trust_region,
+  // Clamp, but only at elements with a node at which the gradient exceeds a share of the largest one; the
+  // share falls until the Hessian factorises (after Fernandez-Fernandez et al. 2026).
+  progressive,
 };
 
 std::string_view projection_name(Projection projection) noexcept;
@@ -70,6 +76,11 @@ struct Options {
   int max_shifts = 6;
 
   sparse::Options solver;
+
+  // Iterative solvers need not be more accurate than the model is good: the relative residual asked of them
+  // is at most largest_forcing, and falls with the square of the gradient (Eisenstat & Walker 1996, choice
+  // 2), not below solver.pcg_tolerance. 0: always solver.pcg_tolerance.
+  double largest_forcing = 0.1;
 
   // Throws Error naming the first option that makes no sense.
   void validate() const;

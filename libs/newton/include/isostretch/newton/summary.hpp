@@ -35,9 +35,11 @@ struct Iteration {
   double seconds = 0;  // since the solve began
   double energy = 0;
   double gradient_inf_norm = 0;
-  double step = 0;             // of the line search
-  double decrement = 0;        // 1/2 gradient . H^-1 gradient of the step that led here
-  double filter_strength = 0;  // 0: exact Hessian, 1: fully filtered
+  double step = 0;       // of the line search
+  double decrement = 0;  // 1/2 gradient . H^-1 gradient of the step that led here
+  double model_fit = 0;  // what the first step tried gained, over what the quadratic model promised
+  // 0: exact Hessian, 1/2: negative eigenvalues to zero, 1: to their absolute value, and between.
+  double filter_strength = 0;
   std::size_t points_filtered = 0;
   int factorizations = 0;  // tried for this step
   int evaluations = 0;     // of the energy, by the line search
@@ -64,7 +66,7 @@ struct Summary {
   double energy = std::numeric_limits<double>::quiet_NaN();
   double gradient_inf_norm = std::numeric_limits<double>::quiet_NaN();
   Seconds seconds;
-  std::string solver;  // back end and ordering at work
+  std::string solver;  // back end, and ordering or preconditioner at work
   double factor_nonzeros = 0;
   std::vector<Iteration> trace;
 

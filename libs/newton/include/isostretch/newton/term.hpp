@@ -32,12 +32,17 @@ class Term {
 
   // Largest t <= limit for which x + s dx is in the domain for all 0 <= s < t.
   virtual double max_step(const Vector& x, const Vector& dx, double limit) const;
+  // Whether the value grows beyond all bounds towards the edge of the domain. False unless overridden.
+  virtual bool has_barrier() const;
 };
 
-// sum over quadrature points of weight * psi(F).
+// scale * sum over quadrature points of weight * psi(F).
 class EnergyTerm final : public Term {
  public:
   EnergyTerm(const assembly::Elements& elements, energies::AnyEnergy energy);
+
+  // 1 at first. A term of scale 0 is left out, with its domain. Throws Error when negative or not finite.
+  void set_scale(double scale);
 
   void add_to(assembly::PatternBuilder& builder) const override;
   void bind(const assembly::HessianPattern& pattern) override;
@@ -46,11 +51,13 @@ class EnergyTerm final : public Term {
                            bool hessian) override;
   void add_hessian(double* values) const override;
   double max_step(const Vector& x, const Vector& dx, double limit) const override;
+  bool has_barrier() const override { return !left_out_ && assembler_.energy().has_barrier(); }
 
   const assembly::EnergyAssembler& assembler() const { return assembler_; }
 
  private:
   assembly::EnergyAssembler assembler_;
+  bool left_out_ = false;
 };
 
 struct SoftPin {

@@ -11,9 +11,12 @@
 namespace isostretch::projection {
 inline namespace ISOSTRETCH_ISA {
 
+// `bound`: of bounded_abs alone.
 template <Filter filter, class T>
-ISOSTRETCH_INLINE T filtered(T lambda, double threshold, double strength) {
+ISOSTRETCH_INLINE T filtered(T lambda, T bound, double threshold, double strength) {
   if constexpr (filter == Filter::none) return lambda;
+  if constexpr (filter == Filter::bounded_abs)
+    return max(max(lambda, min(T(-strength) * lambda, bound)), T(threshold));
   const T target = max(filter == Filter::abs ? abs(lambda) : lambda, T(threshold));
   return strength == 1.0 ? target : fma(T(strength), target - lambda, lambda);
 }
@@ -28,6 +31,20 @@ ISOSTRETCH_INLINE linalg::Mat<Dim, T> scaling_block(const invariants::StretchDer
     A[j][k] = A[k][j] = d.coupling[i];
   }
   return A;
+}
+
+// No smaller than the magnitude of any flip and scaling eigenvalue (Gershgorin).
+template <int Dim, class T>
+ISOSTRETCH_INLINE T largest_magnitude(const invariants::StretchDerivatives<Dim, T>& d) {
+  T bound(0.0), row[Dim];
+  for (int i = 0; i < Dim; ++i) row[i] = abs(d.diagonal[i]);
+  for (int i = 0; i < d.pairs; ++i) {
+    bound = max(bound, abs(d.flip[i]));
+    row[invariants::first<Dim>(i)] = row[invariants::first<Dim>(i)] + abs(d.coupling[i]);
+    row[invariants::second<Dim>(i)] = row[invariants::second<Dim>(i)] + abs(d.coupling[i]);
+  }
+  for (int i = 0; i < Dim; ++i) bound = max(bound, row[i]);
+  return bound;
 }
 
 // Lanes whose every eigenvalue of A - threshold I is positive beyond doubt (pivots of its Cholesky
@@ -57,15 +74,17 @@ ISOSTRETCH_INLINE Mask<T> apply_filter(invariants::StretchDerivatives<Dim, T>& d
   Mask<T> changed = T(0.0) > T(0.0);
   if constexpr (filter == Filter::none) return changed;
   const T floor(threshold);
+  T bound(0.0);
+  if constexpr (filter == Filter::bounded_abs) bound = largest_magnitude(d);
   for (int i = 0; i < d.pairs; ++i) {
     changed = changed | (d.twist[i] < floor) | (d.flip[i] < floor);
-    d.twist[i] = filtered<filter>(d.twist[i], threshold, strength);
-    d.flip[i] = filtered<filter>(d.flip[i], threshold, strength);
+    d.twist[i] = filtered<filter>(d.twist[i], bound, threshold, strength);
+    d.flip[i] = filtered<filter>(d.flip[i], bound, threshold, strength);
   }
   if (!coupled) {
     for (int i = 0; i < Dim; ++i) {
       changed = changed | (d.diagonal[i] < floor);
-      d.diagonal[i] = filtered<filter>(d.diagonal[i], threshold, strength);
+      d.diagonal[i] = filtered<filter>(d.diagonal[i], bound, threshold, strength);
     }
     return changed;
   }
@@ -77,7 +96,7 @@ ISOSTRETCH_INLINE Mask<T> apply_filter(invariants::StretchDerivatives<Dim, T>& d
   T lambda[Dim];
   for (int i = 0; i < Dim; ++i) {
     moved = moved | (eigen.lambda[i] < floor);
-    lambda[i] = filtered<filter>(eigen.lambda[i], threshold, strength);
+    lambda[i] = filtered<filter>(eigen.lambda[i], bound, threshold, strength);
   }
   const auto rebuilt = [&](int r, int c) {
     T sum = eigen.Q[r][0] * lambda[0] * eigen.Q[c][0];
@@ -100,6 +119,8 @@ ISOSTRETCH_INLINE Mask<T> apply_filter(const FilterOptions& options,
     return apply_filter<Filter::clamp>(d, options.threshold, options.strength, coupled);
   if (options.filter == Filter::abs)
     return apply_filter<Filter::abs>(d, options.threshold, options.strength, coupled);
+  if (options.filter == Filter::bounded_abs)
+    return apply_filter<Filter::bounded_abs>(d, options.threshold, options.strength, coupled);
   return apply_filter<Filter::none>(d, options.threshold, options.strength, coupled);
 }
 

@@ -21,6 +21,9 @@ struct FactorResult {
   explicit operator bool() const { return status == FactorStatus::ok; }
 };
 
+// not_converged: x is the best there is, an approximation that a Newton method can use. So it is with
+// not_positive_definite: x is the iterate before the direction of negative curvature (truncated conjugate
+// gradients, Steihaug 1983), zero if that was the first direction; otherwise b . x > 0.
 enum class SolveStatus { ok, not_converged, not_positive_definite, failed };
 
 struct SolveResult {
@@ -32,17 +35,20 @@ struct SolveResult {
 };
 
 struct Statistics {
-  Backend backend = Backend::automatic;     // the one at work, never automatic after analyze()
-  Ordering ordering = Ordering::automatic;  // the one used, never automatic after analyze()
-  double factor_nonzeros = 0;               // nnz(L) with the diagonal, without supernodal padding
-  double factor_flops = 0;                  // of one factorization; 0 where the back end does not say
-  double ordering_seconds = 0;              // part of analyze_seconds
-  double analyze_seconds = 0;               // seconds and calls add up over the life of the solver
+  Backend backend = Backend::automatic;                    // the one at work, never automatic after analyze()
+  Preconditioner preconditioner = Preconditioner::jacobi;  // pcg
+  Ordering ordering = Ordering::automatic;                 // the one used, never automatic after analyze()
+  double factor_nonzeros = 0;   // nnz(L) with the diagonal, without supernodal padding
+  double factor_flops = 0;      // of one factorization; 0 where the back end does not say
+  double ordering_seconds = 0;  // part of analyze_seconds
+  double analyze_seconds = 0;   // seconds and calls add up over the life of the solver
   double factorize_seconds = 0;
   double solve_seconds = 0;
   int analyze_calls = 0;
   int factorize_calls = 0;
   int solve_calls = 0;
+  int factorizations = 0;   // factors and preconditioners made: fewer than calls where stale ones serve
+  int multiplications = 0;  // pcg: by A, over all solves
 };
 
 // Solves A x = b for symmetric positive definite A:
@@ -87,6 +93,18 @@ class Solver {
   // The same on raw column-major arrays of size x columns that do not overlap.
   SolveResult solve_columns(const double* b, double* x, int columns);
 
+  // |b - A x| / |b| that an iterative back end is to reach in solves from here on, in place of
+  // Options::pcg_tolerance: inexact Newton methods ask for few digits at first. Direct solvers do what they
+  // always do. Throws Error unless 0 < tolerance < 1.
+  void set_tolerance(double tolerance);
+
+  // Where nodes are: node group[i] of the matrix at positions[dim * group[i]], dim 2 or 3; pinned nodes
+  // count, so that `nodes` is larger than any group. axis[i] is the axis that unknown i stands for; it may be
+  // left out, and matters where pins leave a node fewer unknowns than axes. Optional, and used by the amg
+  // preconditioner: it learns rotations from it, without which elastic bodies converge slowly. Positions are
+  // copied, and used by the factorize() calls that follow; axes count from the next analyze() on.
+  void set_coordinates(const double* positions, int dim, int nodes, const std::vector<int>& axis = {});
+
   const Statistics& statistics() const noexcept { return statistics_; }
 
  protected:
@@ -96,6 +114,9 @@ class Solver {
   virtual FactorResult do_analyze(const SymmetricMatrix& A) = 0;
   virtual FactorResult do_factorize(const SymmetricMatrix& A) = 0;
   virtual SolveResult do_solve(const double* b, double* x, int columns) = 0;
+  // Arguments are valid.
+  virtual void do_set_tolerance(double) {}
+  virtual void do_set_coordinates(const double*, int, int, const std::vector<int>&) {}
 
   Statistics statistics_;
 

@@ -1,0 +1,125 @@
+#include "automatic_solver.hpp"
+
+#include "direct_solver.hpp"
+#include "ordering.hpp"
+#include "pcg_solver.hpp"
+
+#include <unistd.h>
+
+#include <vector>
+
+namespace isostretch::sparse {
+namespace {
+
+// Larger matrices of the 3D kind are not even analyzed for a factorization: none was faster (README.md), and
+// nested dissection alone takes seconds. Eigen's simplicial factorization falls behind much earlier, and does
+// not say beforehand how long it will take.
+constexpr int largest_for_cholmod = 300000, largest_for_eigen = 20000;
+
+// Of the memory there is, a factor may take this share; and it takes about so many bytes an entry, with the
+// padding of supernodes and its work space.
+constexpr double share_of_memory = 0.6, bytes_per_entry = 11;
+
+double physical_memory() {
+  return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
+}
+
+// A solver of its own kind behind this one, chosen at every analyze().
+class AutomaticSolver final : public Solver {
+ public:
+  explicit AutomaticSolver(const Options& options) : options_(options) {}
+
+ private:
+  FactorResult do_analyze(const SymmetricMatrix& A) override {
+    const int largest = is_available(Backend::cholmod_supernodal) ? largest_for_cholmod : largest_for_eigen;
+    if (A.size > largest && is_spatial(A)) return iterative(A);
+    use(make_direct_solver(options_));
+    const FactorResult result = chosen_->analyze(A);
+    const Statistics& factor = chosen_->statistics();
+    const bool too_large = result.status == FactorStatus::out_of_memory ||
+                           bytes_per_entry * factor.factor_nonzeros > share_of_memory * physical_memory();
+    if (too_large || (factor.factor_flops > options_.automatic_max_flops && is_spatial(A)))
+      return iterative(A);
+    take_statistics();
+    return result;
+  }
+
+  bool is_spatial(const SymmetricMatrix& A) const { return dim_ == 0 ? is_of_3d_kind(A) : dim_ == 3; }
+
+  FactorResult iterative(const SymmetricMatrix& A) {
+    constexpr int enough_iterations = 2000;
+    Options options = options_;
+    options.backend = Backend::pcg;
+    options.pcg_preconditioner = Preconditioner::amg;
+    if (options.pcg_max_iterations == 0) options.pcg_max_iterations = enough_iterations;
+    use(make_pcg_solver(options));
+    const FactorResult result = chosen_->analyze(A);
+    take_statistics();
+    return result;
+  }
+
+  void use(std::unique_ptr<Solver> solver) {
+    chosen_ = std::move(solver);
+    counted_ = {};
+    if (tolerance_ > 0) chosen_->set_tolerance(tolerance_);
+    if (dim_ > 0) chosen_->set_coordinates(positions_.data(), dim_, nodes(), axis_);
+  }
+
+  FactorResult do_factorize(const SymmetricMatrix& A) override {
+    const FactorResult result = chosen_->factorize(A);
+    take_statistics();
+    return result;
+  }
+
+  SolveResult do_solve(const double* b, double* x, int columns) override {
+    const SolveResult result = chosen_->solve_columns(b, x, columns);
+    take_statistics();
+    return result;
+  }
+
+  void do_set_tolerance(double tolerance) override {
+    tolerance_ = tolerance;
+    if (chosen_) chosen_->set_tolerance(tolerance);
+  }
+
+  void do_set_coordinates(const double* positions, int dim, int nodes,
+                          const std::vector<int>& axis) override {
+    positions_.assign(positions, positions + static_cast<std::size_t>(dim) * nodes);
+    axis_ = axis;
+    dim_ = dim;
+    if (chosen_) chosen_->set_coordinates(positions, dim, nodes, axis);
+  }
+
+  int nodes() const { return static_cast<int>(positions_.size()) / dim_; }
+
+  // Seconds and calls are counted by this solver itself; the rest is the chosen one's, sums since it was
+  // chosen.
+  void take_statistics() {
+    const Statistics& from = chosen_->statistics();
+    statistics_.backend = from.backend;
+    statistics_.preconditioner = from.preconditioner;
+    statistics_.ordering = from.ordering;
+    statistics_.factor_nonzeros = from.factor_nonzeros;
+    statistics_.factor_flops = from.factor_flops;
+    statistics_.ordering_seconds += from.ordering_seconds - counted_.ordering_seconds;
+    statistics_.factorizations += from.factorizations - counted_.factorizations;
+    statistics_.multiplications += from.multiplications - counted_.multiplications;
+    counted_ = from;
+  }
+
+  Options options_;
+  std::unique_ptr<Solver> chosen_;
+  Statistics counted_;  // of chosen_, so far
+  double tolerance_ = 0;
+  std::vector<double> positions_;
+  std::vector<int> axis_;
+  int dim_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make_automatic_solver(const Options& options) {
+  return std::make_unique<AutomaticSolver>(options);
+}
+
+}  // namespace isostretch::sparse
