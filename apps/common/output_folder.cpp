@@ -55,6 +55,17 @@ void OutputFolder::add(const std::string& name, std::string_view content) {
   });
 }
 
+void OutputFolder::write_now(const std::string& name, std::string_view content) {
+  failing_with(ExitCode::output, [&] {
+    AtomicFile file((folder_ / name).string());
+    file.write(content);
+    file.commit();
+    committed_ = true;
+    if (std::find(paths_.begin(), paths_.end(), folder_ / name) == paths_.end())
+      paths_.push_back(folder_ / name);
+  });
+}
+
 void OutputFolder::add_json(const std::string& name, const Json& json) {
   // A path that is not UTF-8 must not keep the results from being written.
   add(name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -14,9 +14,9 @@ namespace isostretch::app {
 
 using Json = nlohmann::ordered_json;
 
-// The folder an app writes to, made when it is not there. Files appear in it all together at commit() or not
-// at all, and without commit() folders that were made are taken away again. Everything throws Failure with
-// ExitCode::output.
+// The folder an app writes to, made when it is not there. Files added appear in it all together at commit()
+// or not at all, and without commit() folders that were made are taken away again, unless something was
+// written at once. Everything throws Failure with ExitCode::output.
 class OutputFolder {
  public:
   // Fails at once, before hours of work, when files cannot be made there.
@@ -27,9 +27,11 @@ class OutputFolder {
 
   void add(const std::string& name, std::string_view content);
   void add_json(const std::string& name, const Json& json);
+  // This file alone, and at once; the folder stays from then on.
+  void write_now(const std::string& name, std::string_view content);
   void commit();
 
-  // Of the files added, in order.
+  // Of the files added or written, in order, each once.
   const std::vector<std::filesystem::path>& paths() const { return paths_; }
 
  private:

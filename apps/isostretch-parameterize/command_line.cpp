@@ -1,13 +1,11 @@
 #include "command_line.hpp"
 
 #include "choice_names.hpp"
+#include "common/energy_choice.hpp"
 #include "common/exit_code.hpp"
 #include "common/numbers.hpp"
 #include "common/validators.hpp"
-#include "energy_choice.hpp"
 #include "pin_text.hpp"
-
-#include <isostretch/sparse/solver.hpp>
 
 #include <iostream>
 
@@ -97,7 +95,7 @@ void CommandLine::declare_energy(CLI::App& cli) {
   cli.add_flag_callback(
          "--list-energies",
          [] {
-           std::cout << energy_table() << std::flush;
+           std::cout << energy_table(2) << std::flush;
            throw CLI::Success{};
          },
          "List the energies and their parameters, and exit")
@@ -127,50 +125,10 @@ void CommandLine::declare_solve(CLI::App& cli) {
       ->check(CLI::IsMember(all_names(initial_names)))
       ->type_name("START")
       ->capture_default_str();
-  cli.add_option("--projection", projection_, "How the Hessian is made definite: adaptive, clamp, abs, none")
-      ->check(CLI::IsMember(newton::projection_names()))
-      ->type_name("NAME")
-      ->capture_default_str();
-  cli.add_option(
-         "--grad-tol", gradient_tolerance_,
-         "Stop at |gradient|_inf <= this, with total area 1; default: a test that adapts to the scale")
-      ->check(positive())
-      ->type_name("X");
-  cli.add_option("--max-iterations", max_iterations_, "Stop after so many")
-      ->check(whole_number_between(0, 1'000'000'000))
-      ->type_name("N")
-      ->capture_default_str();
-  cli.add_option("--max-expansion", max_expansion_,
-                 "Lengthen steps that gain more than promised up to this; 1: never")
-      ->check(CLI::Range(1.0, 1e6))
-      ->type_name("X")
-      ->capture_default_str();
-  cli.add_option("--time-limit", time_limit_, "Stop after so many seconds; 0: no limit")
-      ->check(not_negative())
-      ->type_name("SECONDS");
-  cli.add_option("--solver", solver_, "automatic, cholmod_supernodal, cholmod_simplicial, eigen_ldlt, pcg")
-      ->type_name("NAME")
-      ->capture_default_str();
-  cli.add_option("--ordering", ordering_, "automatic, amd, metis, natural")
-      ->type_name("NAME")
-      ->capture_default_str();
+  solver_flags_.declare(cli, ", with total area 1");
 }
 
 namespace {
-
-newton::Options solve_options(const std::string& projection, const std::optional<double>& gradient_tolerance,
-                              const std::string& solver, const std::string& ordering) {
-  newton::Options options;
-  options.projection = newton::projection_from_name(projection);
-  if (gradient_tolerance) {
-    options.gradient_tolerance = *gradient_tolerance;
-    options.scaled_gradient_tolerance = 0;  // what was asked for is what counts
-  }
-  options.solver.backend = sparse::backend_from_name(solver);
-  options.solver.ordering = sparse::ordering_from_name(ordering);
-  sparse::make_solver(options.solver);  // says at once when it is not compiled in
-  return options;
-}
 
 std::vector<int> vertex_list(const std::string& text, const char* option) {
   std::vector<int> vertices;
@@ -237,10 +195,7 @@ Options CommandLine::options() const {
     options.soft_pins = parse_soft_pins(soft_pins_);
     add_aligned(horizontal_, true, options);
     add_aligned(vertical_, false, options);
-    options.newton = solve_options(projection_, gradient_tolerance_, solver_, ordering_);
-    options.newton.max_iterations = max_iterations_;
-    options.newton.time_limit = time_limit_;
-    options.newton.max_expansion = max_expansion_;
+    solver_flags_.apply(options.newton);
     options.check = check_;
     if (options.out.empty() && !options.check) throw Error("--out: a folder for the results is needed");
     require_consistent(options);
@@ -249,7 +204,14 @@ Options CommandLine::options() const {
 }
 
 energies::AnyEnergy CommandLine::energy() const {
-  return failing_with(ExitCode::command_line, [this] { return choose_energy(energy_, parameters_); });
+  return failing_with(ExitCode::command_line, [this] {
+    const auto parameters = parse_parameters(parameters_);
+    try {
+      return choose_energy(energy_, parameters, 2);
+    } catch (const Error& error) {
+      throw Error(std::string("--energy: ") + error.what());
+    }
+  });
 }
 
 }  // namespace isostretch::app::parameterize

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "common/solver_flags.hpp"
 #include "options.hpp"
 
 #include <isostretch/energies/any_energy.hpp>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,13 +31,9 @@ class CommandLine {
   void declare_solve(CLI::App& cli);
   void declare_files(CLI::App& cli);
 
-  std::string model_, out_, energy_ = "symmetric_dirichlet", projection_ = "adaptive", initial_ = "tutte";
-  std::string solver_ = "automatic", ordering_ = "automatic";
+  std::string model_, out_, energy_ = "symmetric_dirichlet", initial_ = "tutte";
+  SolverFlags solver_flags_;
   std::vector<std::string> parameters_, pins_, soft_pins_, horizontal_, vertical_;
-  std::optional<double> gradient_tolerance_;
-  double time_limit_ = 0;
-  double max_expansion_ = newton::Options().max_expansion;
-  int max_iterations_ = newton::Options{}.max_iterations;
   std::string holes_ = "short", seams_ = "input", boundary_ = "free", corners_, pack_ = "auto";
   int cut_tips_ = Options().cut_tips, max_cuts_ = Options().max_cuts;
   double max_distortion_ = 0, margin_ = Options().margin;

@@ -1,7 +1,7 @@
 #include "report_page.hpp"
 
 #include "common/html.hpp"
-#include "report_style.hpp"
+#include "common/report_style.hpp"
 #include "report_tables.hpp"
 #include "report_warnings.hpp"
 

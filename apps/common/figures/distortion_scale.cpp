@@ -7,8 +7,6 @@
 namespace isostretch::app::figures {
 namespace {
 
-constexpr double best = 4;  // of distortion()
-
 // The value that all but a given share of the area stay below.
 double quantile(const std::vector<double>& values, const std::vector<double>& areas, double share) {
   std::vector<std::size_t> order(values.size());
@@ -20,7 +18,7 @@ double quantile(const std::vector<double>& values, const std::vector<double>& ar
     sum += areas[i];
     if (sum >= wanted) return values[i];
   }
-  return order.empty() ? best : values[order.back()];
+  return order.empty() ? 0 : values[order.back()];
 }
 
 }  // namespace
@@ -31,7 +29,7 @@ double distortion(double sigma_1, double sigma_2) {
 }
 
 DistortionScale distortion_scale(const std::vector<double>& distortions, const std::vector<double>& areas,
-                                 int bins) {
+                                 int bins, double best) {
   DistortionScale scale;
   // Between one percent above the best, so that rounding is not shown in colours, and what a picture can
   // show.

@@ -20,8 +20,8 @@ struct DistortionScale {
 };
 
 // `areas` are the triangles' shares in the rest area. The top of the scale leaves out the worst half percent,
-// which would otherwise squeeze all others into one colour.
+// which would otherwise squeeze all others into one colour. `best` is the least a measure can be.
 DistortionScale distortion_scale(const std::vector<double>& distortions, const std::vector<double>& areas,
-                                 int bins);
+                                 int bins, double best = 4);
 
 }  // namespace isostretch::app::figures

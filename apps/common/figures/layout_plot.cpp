@@ -113,7 +113,8 @@ void draw_layout(Canvas& canvas, const Box& box, const LayoutData& data, const D
   }
 }
 
-void draw_distortion_scale(Canvas& canvas, const Box& box, const DistortionScale& scale) {
+void draw_distortion_scale(Canvas& canvas, const Box& box, const DistortionScale& scale,
+                           const std::string& whole) {
   const Box bar{box.x + 52, box.y, 20, box.height};
   constexpr int steps = 256;
   for (int i = 0; i < steps; ++i) {
@@ -131,7 +132,7 @@ void draw_distortion_scale(Canvas& canvas, const Box& box, const DistortionScale
     canvas.fill({left, bar.bottom() - step * static_cast<double>(i + 1) + 0.5, room * scale.shares[i] / most,
                  step - 1},
                 {0.55, 0.58, 0.62});
-  canvas.text({box.right(), bar.bottom() + 14}, "longest bar: " + percent(most) + " of the area",
+  canvas.text({box.right(), bar.bottom() + 14}, "longest bar: " + percent(most) + " of the " + whole,
               {.size = 11, .color = {0.35, 0.35, 0.35}, .across = Align::end});
 }
 

@@ -5,6 +5,7 @@
 
 #include <isostretch/mesh/types.hpp>
 
+#include <string>
 #include <vector>
 
 namespace isostretch::app::figures {
@@ -23,7 +24,9 @@ struct LayoutData {
 // the triangles are few.
 void draw_layout(Canvas& canvas, const Box& box, const LayoutData& data, const DistortionScale& scale);
 
-// Colour bar with ticks on its left and the histogram of the area growing to its right.
-void draw_distortion_scale(Canvas& canvas, const Box& box, const DistortionScale& scale);
+// Colour bar with ticks on its left and the histogram of the area, or of what `whole` says, growing to its
+// right.
+void draw_distortion_scale(Canvas& canvas, const Box& box, const DistortionScale& scale,
+                           const std::string& whole = "area");
 
 }  // namespace isostretch::app::figures

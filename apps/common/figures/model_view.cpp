@@ -94,7 +94,7 @@ class Shader {
     const double brightness = light(triangle, weights, inside);
     // In the dark, too, and on the inside, flipped triangles are to be found.
     if (flipped_[static_cast<std::size_t>(triangle)]) return times(flipped_color, std::max(brightness, 0.9));
-    const Color color = checker(triangle, weights);
+    const Color color = model_.colors.empty() ? checker(triangle, weights) : mixed_color(triangle, weights);
     return times(inside ? mixed(color, {0.62, 0.63, 0.66}, 0.45) : color, brightness);
   }
 
@@ -103,6 +103,15 @@ class Shader {
     Eigen::RowVector2d uv(0, 0);
     for (int c = 0; c < 3; ++c) uv += weights[c] * model_.uv.row(model_.uv_triangles(triangle, c));
     return checker_color(uv.x() / model_.square, uv.y() / model_.square);
+  }
+
+  Color mixed_color(int triangle, const Eigen::RowVector3d& weights) const {
+    Color sum;
+    for (int c = 0; c < 3; ++c) {
+      const Color& color = model_.colors[static_cast<std::size_t>(model_.triangles(triangle, c))];
+      sum = {sum.r + weights[c] * color.r, sum.g + weights[c] * color.g, sum.b + weights[c] * color.b};
+    }
+    return sum;
   }
 
   double light(int triangle, const Eigen::RowVector3d& weights, bool inside) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/figures/color_map.hpp"
 #include "common/figures/edges.hpp"
 
 #include <isostretch/mesh/types.hpp>
@@ -8,7 +9,7 @@
 
 namespace isostretch::app::figures {
 
-// A textured surface in space as the pictures take it.
+// A surface in space, textured or coloured, as the pictures take it.
 struct ModelData {
   const mesh::Points3& vertices;
   const mesh::Triangles& triangles;
@@ -17,6 +18,8 @@ struct ModelData {
   double square = 1;                           // side of the checkerboard's squares, in uv
   const std::vector<int>& flipped;             // triangles
   std::vector<std::array<int, 2>> lines = {};  // to draw dark, as pairs of vertices
+  // One a vertex, mixed in between, instead of the checkerboard; uv is not used then.
+  std::vector<Color> colors = {};
 };
 
 // The vertices moved and scaled so that those of triangles lie in the unit ball around the origin, whatever

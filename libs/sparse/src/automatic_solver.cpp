@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include <limits>
 #include <vector>
 
 namespace isostretch::sparse {
@@ -20,6 +21,9 @@ constexpr int largest_for_cholmod = 300000, largest_for_eigen = 20000;
 // padding of supernodes and its work space.
 constexpr double share_of_memory = 0.6, bytes_per_entry = 11;
 
+// Multiplications of a solve by pcg, after which a factorization would have been no slower.
+constexpr int patience = 500;
+
 double physical_memory() {
   return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
 }
@@ -32,14 +36,19 @@ class AutomaticSolver final : public Solver {
  private:
   FactorResult do_analyze(const SymmetricMatrix& A) override {
     const int largest = is_available(Backend::cholmod_supernodal) ? largest_for_cholmod : largest_for_eigen;
+    trust_ = Trust::full;
     if (A.size > largest && is_spatial(A)) return iterative(A);
+    return direct(A, options_.automatic_max_flops);
+  }
+
+  // A factorization unless it does not fit into memory or takes more operations than this.
+  FactorResult direct(const SymmetricMatrix& A, double most_flops) {
     use(make_direct_solver(options_));
     const FactorResult result = chosen_->analyze(A);
     const Statistics& factor = chosen_->statistics();
     const bool too_large = result.status == FactorStatus::out_of_memory ||
                            bytes_per_entry * factor.factor_nonzeros > share_of_memory * physical_memory();
-    if (too_large || (factor.factor_flops > options_.automatic_max_flops && is_spatial(A)))
-      return iterative(A);
+    if (too_large || (factor.factor_flops > most_flops && is_spatial(A))) return iterative(A);
     take_statistics();
     return result;
   }
@@ -47,11 +56,10 @@ class AutomaticSolver final : public Solver {
   bool is_spatial(const SymmetricMatrix& A) const { return dim_ == 0 ? is_of_3d_kind(A) : dim_ == 3; }
 
   FactorResult iterative(const SymmetricMatrix& A) {
-    constexpr int enough_iterations = 2000;
     Options options = options_;
     options.backend = Backend::pcg;
     options.pcg_preconditioner = Preconditioner::amg;
-    if (options.pcg_max_iterations == 0) options.pcg_max_iterations = enough_iterations;
+    if (options.pcg_max_iterations == 0) options.pcg_max_iterations = patience;
     use(make_pcg_solver(options));
     const FactorResult result = chosen_->analyze(A);
     take_statistics();
@@ -66,6 +74,11 @@ class AutomaticSolver final : public Solver {
   }
 
   FactorResult do_factorize(const SymmetricMatrix& A) override {
+    if (trust_ == Trust::lost) {
+      trust_ = Trust::irrelevant;
+      if (const FactorResult analysis = direct(A, std::numeric_limits<double>::infinity()); !analysis)
+        return analysis;
+    }
     const FactorResult result = chosen_->factorize(A);
     take_statistics();
     return result;
@@ -74,6 +87,7 @@ class AutomaticSolver final : public Solver {
   SolveResult do_solve(const double* b, double* x, int columns) override {
     const SolveResult result = chosen_->solve_columns(b, x, columns);
     take_statistics();
+    if (trust_ == Trust::full && result.status == SolveStatus::not_converged) trust_ = Trust::lost;
     return result;
   }
 
@@ -89,6 +103,10 @@ class AutomaticSolver final : public Solver {
     dim_ = dim;
     if (chosen_) chosen_->set_coordinates(positions, dim, nodes, axis);
   }
+
+  // In pcg: a solve that does not converge gives way to a factorization of the matrices that follow, if that
+  // fits into memory; tried once a pattern.
+  enum class Trust { full, lost, irrelevant };
 
   int nodes() const { return static_cast<int>(positions_.size()) / dim_; }
 
@@ -108,6 +126,7 @@ class AutomaticSolver final : public Solver {
   }
 
   Options options_;
+  Trust trust_ = Trust::full;
   std::unique_ptr<Solver> chosen_;
   Statistics counted_;  // of chosen_, so far
   double tolerance_ = 0;

@@ -57,6 +57,16 @@ const std::vector<Backend>& available_backends() {
   return backends;
 }
 
+const std::vector<Preconditioner>& all_preconditioners() {
+  static const std::vector<Preconditioner> preconditioners = [] {
+    std::vector<Preconditioner> all;
+    for (std::size_t i = 0; i < preconditioner_names.size(); ++i)
+      all.push_back(static_cast<Preconditioner>(i));
+    return all;
+  }();
+  return preconditioners;
+}
+
 bool is_available(Backend backend) {
   const auto& backends = available_backends();
   return backend == Backend::automatic ||

@@ -21,10 +21,6 @@ using namespace isostretch::sparse::test;
 
 namespace {
 
-constexpr Preconditioner all_preconditioners[] = {Preconditioner::jacobi, Preconditioner::block_jacobi,
-                                                  Preconditioner::incomplete_cholesky,
-                                                  Preconditioner::stale_cholesky, Preconditioner::amg};
-
 Options pcg(Preconditioner preconditioner, double tolerance = 1e-9) {
   Options options;
   options.backend = Backend::pcg;
@@ -35,7 +31,7 @@ Options pcg(Preconditioner preconditioner, double tolerance = 1e-9) {
 
 template <class Body>
 void for_each_preconditioner(const Body& body) {
-  for (const Preconditioner preconditioner : all_preconditioners) {
+  for (const Preconditioner preconditioner : all_preconditioners()) {
     const std::string name(preconditioner_name(preconditioner));
     CAPTURE(name);
     body(preconditioner);
@@ -384,6 +380,25 @@ TEST_CASE("automatic back end: factorizations as far as they pay, then multigrid
   options = {};
   options.stale_max_iterations = -1;
   CHECK_THROWS_WITH_AS(make_solver(options), doctest::Contains("stale_max_iterations"), Error);
+}
+
+TEST_CASE("automatic back end: where multigrid does not converge, the next matrix is factorised") {
+  if (!is_available(Backend::cholmod_supernodal)) return;
+  const ElasticSystem system = elastic_box(box(8));
+  Options options;
+  options.automatic_max_flops = 1e6;
+  options.pcg_max_iterations = 2;
+  const auto solver = make_solver(options);
+  REQUIRE(solver->analyze(system.A));
+  REQUIRE(solver->factorize(system.A));
+  Eigen::VectorXd x;
+  CHECK(solver->solve(Eigen::VectorXd::Ones(system.A.size), x).status == SolveStatus::not_converged);
+  CHECK(solver->statistics().backend == Backend::pcg);
+  check_solves(*solver, system.A);
+  CHECK(solver->statistics().backend == Backend::cholmod_supernodal);
+  // A new analysis is a new chance.
+  REQUIRE(solver->analyze(system.A));
+  CHECK(solver->statistics().backend == Backend::pcg);
 }
 
 TEST_CASE("preconditioners: names go both ways") {

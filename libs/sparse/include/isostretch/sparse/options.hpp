@@ -27,7 +27,7 @@ struct Options {
   Ordering ordering = Ordering::automatic;  // not used by pcg
 
   // Backend::automatic factorises a matrix of the 3D kind when that takes no more operations than this.
-  double automatic_max_flops = 3e10;
+  double automatic_max_flops = 4e9;
 
   // pcg stops at |b - A x| <= pcg_tolerance |b| (2-norms, true residual) or after pcg_max_iterations
   // multiplications by A; 0 means 10 * size + 100.
@@ -52,6 +52,8 @@ Preconditioner preconditioner_from_name(std::string_view name);
 // Compiled in, without `automatic`; the first is the preferred one.
 const std::vector<Backend>& available_backends();
 bool is_available(Backend backend);
+// All of them: none depends on what is compiled in.
+const std::vector<Preconditioner>& all_preconditioners();
 // Orderings that can be asked for, without `automatic`.
 const std::vector<Ordering>& available_orderings();
 

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace isostretch::app::parameterize {
+namespace isostretch::app {
 
 // Of report.html: narrow screens scroll wide tables by themselves, paper gets no shadows and whole figures.
 inline constexpr const char* report_style = R"(:root { color-scheme: light; }
@@ -33,4 +33,4 @@ footer { margin-top: 2.5rem; color: #666; font-size: .85rem; }
 }
 )";
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::app

@@ -1,0 +1,302 @@
+#include "common/body.hpp"
+
+#include "common/exit_code.hpp"
+#include "common/figures/edges.hpp"
+#include "common/formatted.hpp"
+#include "common/terminal.hpp"
+
+#include <isostretch/mesh/check.hpp>
+#include <isostretch/mesh/elements.hpp>
+#include <isostretch/mesh/generators.hpp>
+#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh/quadratic.hpp>
+#include <isostretch/mesh/structured.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
+
+namespace isostretch::app {
+namespace {
+
+using mesh::Shape;
+
+constexpr Shape shapes[] = {Shape::triangle, Shape::quadratic_triangle, Shape::quad,
+                            Shape::tet,      Shape::quadratic_tet,      Shape::hex};
+
+std::string name_of(Shape shape) {
+  std::string name = mesh::shape_name(shape);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+// ---- what is seen ----
+
+// Triangles among the nodes of a flat element.
+const std::vector<std::array<int, 3>>& flat_triangles(Shape shape) {
+  static const std::vector<std::array<int, 3>> whole{{0, 1, 2}}, halves{{0, 1, 2}, {0, 2, 3}},
+      quarters{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+  return shape == Shape::quad ? halves : shape == Shape::quadratic_triangle ? quarters : whole;
+}
+
+// All of a flat body; its nodes are the vertices.
+template <class Elements>
+mesh::BoundarySurface flat_surface(const mesh::Points3& nodes, const Elements& elements, Shape shape) {
+  mesh::BoundarySurface surface;
+  surface.mesh.vertices = nodes;
+  surface.original_vertex.resize(static_cast<std::size_t>(nodes.rows()));
+  std::iota(surface.original_vertex.begin(), surface.original_vertex.end(), 0);
+  const auto& parts = flat_triangles(shape);
+  surface.mesh.triangles.resize(elements.rows() * static_cast<Eigen::Index>(parts.size()), 3);
+  Eigen::Index row = 0;
+  for (Eigen::Index e = 0; e < elements.rows(); ++e)
+    for (const auto& part : parts) {
+      surface.mesh.triangles.row(row++) << elements(e, part[0]), elements(e, part[1]), elements(e, part[2]);
+      surface.element.push_back(static_cast<int>(e));
+    }
+  return surface;
+}
+
+std::vector<std::array<int, 2>> boundary_edges(const Body& body) {
+  const figures::Edges edges = figures::edges_of(body.surface.mesh.triangles);
+  std::vector<std::array<int, 2>> result = edges.boundary;
+  if (body.dim == 3) result.insert(result.end(), edges.inner.begin(), edges.inner.end());
+  for (auto& edge : result)
+    for (int& v : edge) v = body.surface.original_vertex[static_cast<std::size_t>(v)];
+  return result;
+}
+
+Body finished(Body body, const mesh::ElementArrays& arrays) {
+  body.dim = arrays.dim;
+  body.elements = assembly::elements_from(arrays);
+  body.boundary_edges = boundary_edges(body);
+  return body;
+}
+
+// ---- kinds of bodies ----
+
+int degree_of(const BodySpec& spec, Shape shape) {
+  return spec.quadrature > 0 ? spec.quadrature : mesh::default_degree(shape);
+}
+
+void refuse_quadrature(const BodySpec& spec, const char* what) {
+  if (spec.quadrature > 1)
+    throw Error(std::string("quadrature: F is the same everywhere in a linear ") + what +
+                ", one point is enough");
+}
+
+template <class Points>
+mesh::Points3 in_space(const Points& flat) {
+  mesh::Points3 points = mesh::Points3::Zero(flat.rows(), 3);
+  points.leftCols(2) = flat.leftCols(2);
+  return points;
+}
+
+Body triangle_body(const mesh::Points2& vertices, const mesh::Triangles& triangles, const BodySpec& spec) {
+  Body body;
+  if (spec.order == 2) {
+    const mesh::QuadraticTriangleMesh m = mesh::quadratic(vertices, triangles);
+    body.shape = Shape::quadratic_triangle;
+    body.nodes = in_space(m.nodes);
+    body.surface = flat_surface(body.nodes, m.triangles, body.shape);
+    return finished(std::move(body), mesh::elements(m, degree_of(spec, body.shape)));
+  }
+  refuse_quadrature(spec, "triangle");
+  body.shape = Shape::triangle;
+  body.nodes = in_space(vertices);
+  body.surface = flat_surface(body.nodes, triangles, body.shape);
+  return finished(std::move(body), mesh::elements(vertices, triangles));
+}
+
+Body quad_body(const mesh::QuadMesh& m, const BodySpec& spec) {
+  Body body;
+  body.shape = Shape::quad;
+  body.nodes = in_space(m.vertices);
+  body.surface = flat_surface(body.nodes, m.quads, body.shape);
+  return finished(std::move(body), mesh::elements(m, degree_of(spec, body.shape)));
+}
+
+Body tet_body(const mesh::TetMesh& tets, const BodySpec& spec) {
+  Body body;
+  if (spec.order == 2) {
+    const mesh::QuadraticTetMesh m = mesh::quadratic(tets);
+    body.shape = Shape::quadratic_tet;
+    body.nodes = m.nodes;
+    body.surface = mesh::boundary_surface(m);
+    return finished(std::move(body), mesh::elements(m, degree_of(spec, body.shape)));
+  }
+  refuse_quadrature(spec, "tet");
+  body.shape = Shape::tet;
+  body.nodes = tets.vertices;
+  const mesh::ElementArrays arrays = mesh::elements(tets);  // names what is wrong before anything else
+  body.surface = mesh::boundary_surface(tets);
+  return finished(std::move(body), arrays);
+}
+
+Body hex_body(const mesh::HexMesh& m, const BodySpec& spec) {
+  Body body;
+  body.shape = Shape::hex;
+  body.nodes = m.vertices;
+  body.surface = mesh::boundary_surface(m);
+  return finished(std::move(body), mesh::elements(m, degree_of(spec, body.shape)));
+}
+
+Body make_bar(const BarSpec& bar, BodySpec spec) {
+  if (bar.shape == Shape::quadratic_tet || bar.shape == Shape::quadratic_triangle) spec.order = 2;
+  if (spec.order == 2 && (bar.shape == Shape::hex || bar.shape == Shape::quad))
+    throw Error("order: only tets and triangles become quadratic, not " + name_of(bar.shape));
+  const auto& n = bar.cells;
+  const auto& s = bar.size;
+  const auto dim = static_cast<std::size_t>(mesh::shape_dim(bar.shape));
+  if (n.size() != dim || s.size() != dim)
+    throw Error("a bar of element " + name_of(bar.shape) + " needs " + std::to_string(dim) +
+                " cells and as many sizes");
+  if (bar.shape == Shape::quad) return quad_body(mesh::quad_grid(n[0], n[1], s[0], s[1]), spec);
+  if (bar.shape == Shape::hex) return hex_body(mesh::hex_bar(n[0], n[1], n[2], s[0], s[1], s[2]), spec);
+  if (dim == 3) return tet_body(mesh::tet_bar(n[0], n[1], n[2], s[0], s[1], s[2]), spec);
+  const mesh::SurfaceMesh grid = mesh::grid(n[0], n[1], s[0], s[1]);
+  return triangle_body(grid.vertices.leftCols<2>(), grid.triangles, spec);
+}
+
+// ---- files ----
+
+Body flat_file(const mesh::SurfaceMesh& surface, const BodySpec& spec) {
+  for (Eigen::Index v = 0; v < surface.vertices.rows(); ++v)
+    if (surface.vertices(v, 2) != 0)
+      throw Error(spec.file.string() + ": a surface is deformed in the plane z = 0, but vertex " +
+                  std::to_string(v) + formatted(" has z = %g", surface.vertices(v, 2)));
+  return triangle_body(surface.vertices.leftCols<2>(), surface.triangles, spec);
+}
+
+bool holds_surfaces_only(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".obj" || extension == ".off" || extension == ".ply" || extension == ".stl";
+}
+
+double volume(const mesh::TetMesh& tets, Eigen::Index t) {
+  const auto p = [&](int c) -> Eigen::RowVector3d { return tets.vertices.row(tets.tets(t, c)); };
+  return (p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) / 6;
+}
+
+// Some programs number the corners of tets the other way round. One such tet among others is a fault.
+void turn_if_all_are_inverted(mesh::TetMesh& tets, const std::filesystem::path& file) {
+  const int index_limit = static_cast<int>(tets.vertices.rows());
+  if (tets.tets.minCoeff() < 0 || tets.tets.maxCoeff() >= index_limit) return;
+  for (Eigen::Index t = 0; t < tets.tets.rows(); ++t)
+    if (!(volume(tets, t) < 0)) return;
+  const Eigen::VectorXi swapped = tets.tets.col(2);
+  tets.tets.col(2) = tets.tets.col(3);
+  tets.tets.col(3) = swapped;
+  notice(file.string() + ": every tet is numbered the other way round; all were turned");
+}
+
+Body read_body(const BodySpec& spec) {
+  const std::string path = spec.file.string();
+  if (holds_surfaces_only(spec.file)) return flat_file(mesh::read_surface(path), spec);
+  mesh::TetMesh tets;
+  try {
+    tets = mesh::read_tets(path);
+  } catch (const Error&) {
+    std::optional<mesh::SurfaceMesh> surface;
+    try {
+      surface = mesh::read_surface(path);
+    } catch (const Error&) {
+      // What the file lacks as a body counts.
+    }
+    if (!surface) throw;
+    return flat_file(*surface, spec);
+  }
+  turn_if_all_are_inverted(tets, spec.file);
+  return naming_file(spec.file, [&] { return tet_body(tets, spec); });
+}
+
+}  // namespace
+
+Body load_body(const BodySpec& spec) {
+  if (spec.bar) {
+    Body body = make_bar(*spec.bar, spec);
+    body.name = "bar";
+    return body;
+  }
+  Body body = read_body(spec);
+  body.name = spec.file.filename().string();
+  return body;
+}
+
+Vector Body::rest_positions() const {
+  Vector x(nodes.rows() * dim);
+  for (Eigen::Index n = 0; n < nodes.rows(); ++n)
+    for (int i = 0; i < dim; ++i) x[dim * n + i] = nodes(n, i);
+  return x;
+}
+
+mesh::Points3 Body::points(const Vector& positions) const {
+  mesh::Points3 result = mesh::Points3::Zero(nodes.rows(), 3);
+  for (Eigen::Index n = 0; n < nodes.rows(); ++n)
+    for (int i = 0; i < dim; ++i) result(n, i) = positions[dim * n + i];
+  return result;
+}
+
+handles::Nodes Body::selectable() const {
+  handles::Nodes result;
+  result.dim = dim;
+  result.positions = rest_positions();
+  result.boundary_edges = boundary_edges;
+  return result;
+}
+
+double Body::diagonal() const {
+  return (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).norm();
+}
+
+double Body::volume() const {
+  return std::accumulate(elements.weights.begin(), elements.weights.end(), 0.0);
+}
+
+std::vector<double> Body::volumes() const {
+  const auto points = static_cast<std::size_t>(elements.points_per_element);
+  std::vector<double> result(static_cast<std::size_t>(elements.element_count()), 0.0);
+  for (std::size_t i = 0; i < elements.weights.size(); ++i) result[i / points] += elements.weights[i];
+  return result;
+}
+
+std::string Body::element_text(int element) const {
+  const auto k = static_cast<std::size_t>(elements.nodes_per_element);
+  std::string text = std::string(mesh::shape_name(shape)) + " " + std::to_string(element) + " (vertices";
+  for (std::size_t c = 0; c < k; ++c)
+    text.append(" ").append(std::to_string(elements.nodes[static_cast<std::size_t>(element) * k + c]));
+  return text + ")";
+}
+
+std::string Body::fingerprint() const {
+  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
+  const auto add = [&](const void* data, std::size_t bytes) {
+    const auto* byte = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ byte[i]) * 1099511628211ULL;
+  };
+  add(nodes.data(), static_cast<std::size_t>(nodes.size()) * sizeof(double));
+  add(elements.nodes.data(), elements.nodes.size() * sizeof(int));
+  return formatted("%016llx", static_cast<unsigned long long>(hash));
+}
+
+std::string plural_name(mesh::Shape shape) {
+  return std::string(mesh::shape_name(shape)) + (shape == Shape::hex ? "es" : "s");
+}
+
+std::vector<std::string> shape_names() {
+  std::vector<std::string> names;
+  for (const Shape shape : shapes) names.push_back(name_of(shape));
+  return names;
+}
+
+mesh::Shape shape_from_name(const std::string& name) {
+  return *std::find_if(std::begin(shapes), std::end(shapes),
+                       [&](Shape shape) { return name_of(shape) == name; });
+}
+
+}  // namespace isostretch::app

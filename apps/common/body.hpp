@@ -1,0 +1,66 @@
+#pragma once
+
+#include <isostretch/assembly/elements.hpp>
+#include <isostretch/core/vector.hpp>
+#include <isostretch/handles/selection.hpp>
+#include <isostretch/mesh/boundary_surface.hpp>
+#include <isostretch/mesh/shape_functions.hpp>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isostretch::app {
+
+// A box of elements from the origin to `size`; two numbers each make a rectangle in the plane.
+struct BarSpec {
+  std::vector<int> cells;
+  std::vector<double> size;
+  mesh::Shape shape = mesh::Shape::tet;
+};
+
+struct BodySpec {
+  std::filesystem::path file;  // unless it is a bar
+  std::optional<BarSpec> bar;
+  int order = 1;       // 2: linear tets and triangles become quadratic, with straight edges
+  int quadrature = 0;  // degree; 0: the shape's own
+};
+
+// What is deformed: solid elements in space, or flat ones in the plane (dim 2).
+struct Body {
+  std::string name;  // of the file, or "bar"
+  mesh::Shape shape = mesh::Shape::tet;
+  int dim = 3;
+  mesh::Points3 nodes;                             // at rest; z = 0 in 2D
+  assembly::Elements elements;                     // at rest
+  mesh::BoundarySurface surface;                   // what is seen of it: outside, or everything in 2D
+  std::vector<std::array<int, 2>> boundary_edges;  // of the surface, or of the outline in 2D; nodes
+
+  Vector rest_positions() const;  // dim entries a node
+  // Rows of three, z = 0 in 2D.
+  mesh::Points3 points(const Vector& positions) const;
+  handles::Nodes selectable() const;
+  double diagonal() const;              // of the box around it at rest
+  double volume() const;                // or area, at rest
+  std::vector<double> volumes() const;  // of every element
+  // "tet 17 (vertices 3 9 12 40)".
+  std::string element_text(int element) const;
+  // Changes with every bit of the rest shape: 16 hexadecimal digits.
+  std::string fingerprint() const;
+};
+
+// Reads or makes it. Throws Error naming the file and the element for elements that are inverted, degenerate
+// or otherwise unusable; tells in a notice when every tet of a file is numbered the other way round and was
+// turned.
+Body load_body(const BodySpec& spec);
+
+// "tets", "hexes".
+std::string plural_name(mesh::Shape shape);
+
+// By the names elements have in scenes: triangle, quadratic_triangle, quad, tet, quadratic_tet, hex.
+std::vector<std::string> shape_names();
+mesh::Shape shape_from_name(const std::string& name);
+
+}  // namespace isostretch::app

@@ -1,0 +1,66 @@
+#include "common/energy_choice.hpp"
+
+#include "common/choice_names.hpp"
+#include "common/numbers.hpp"
+
+#include <isostretch/core/error.hpp>
+#include <isostretch/energies/registry.hpp>
+
+#include <algorithm>
+
+namespace isostretch::app {
+namespace {
+
+std::string those_there_are(int dim) {
+  return "in " + std::to_string(dim) + "D there are " + listed(energy_names_in(dim));
+}
+
+}  // namespace
+
+std::vector<std::string> energy_names_in(int dim) {
+  std::vector<std::string> names;
+  for (const std::string& name : energies::energy_names())
+    if (energies::make_energy(name).supports(dim)) names.push_back(name);
+  return names;
+}
+
+std::string energy_table(int dim) {
+  std::string table;
+  for (const std::string& name : energy_names_in(dim)) {
+    const energies::AnyEnergy energy = energies::make_energy(name);
+    table +=
+        name + (energy.has_barrier() ? "" : "  (finite under inversion: the result may have flips)") + "\n";
+    for (const auto& parameter : energy.parameters())
+      table +=
+          "    " + parameter.name + "=" + exact_text(parameter.value) + "  " + parameter.description + "\n";
+  }
+  return table;
+}
+
+std::map<std::string, double> parse_parameters(const std::vector<std::string>& texts) {
+  std::map<std::string, double> parameters;
+  for (const std::string& text : texts)
+    for (const std::string& assignment : split(text, ',')) {
+      const std::size_t equals = assignment.find('=');
+      if (equals == 0 || equals == std::string::npos)
+        throw Error("--param: '" + assignment + "' is not of the form name=value");
+      const auto value = finite_number(assignment.substr(equals + 1));
+      if (!value) throw Error("--param: '" + assignment.substr(equals + 1) + "' is not a finite number");
+      if (!parameters.emplace(assignment.substr(0, equals), *value).second)
+        throw Error("--param: '" + assignment.substr(0, equals) + "' is given twice");
+    }
+  return parameters;
+}
+
+energies::AnyEnergy choose_energy(const std::string& name, const std::map<std::string, double>& parameters,
+                                  int dim) {
+  const auto known = energies::energy_names();
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    throw Error("unknown energy '" + name + "'; " + those_there_are(dim));
+  energies::AnyEnergy energy = energies::make_energy(name, parameters);
+  if (!energy.supports(dim))
+    throw Error("'" + name + "' does not exist in " + std::to_string(dim) + "D; " + those_there_are(dim));
+  return energy;
+}
+
+}  // namespace isostretch::app

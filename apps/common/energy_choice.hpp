@@ -1,0 +1,24 @@
+#pragma once
+
+#include <isostretch/energies/any_energy.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace isostretch::app {
+
+// The energies that exist in that dimension with their parameters and defaults, a line each.
+std::string energy_table(int dim);
+std::vector<std::string> energy_names_in(int dim);
+
+// From texts that hold name=value, or several of them with commas between. Throws Error, beginning with
+// --param, when one is none or a name is given twice.
+std::map<std::string, double> parse_parameters(const std::vector<std::string>& texts);
+
+// Throws Error naming what there is when the energy or a parameter is none, and when the energy does not
+// exist in that dimension.
+energies::AnyEnergy choose_energy(const std::string& name, const std::map<std::string, double>& parameters,
+                                  int dim);
+
+}  // namespace isostretch::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "common/figures/surface_model.hpp"
+
+#include <string>
+#include <vector>
+
+namespace isostretch::app::figures {
+
+// One state of the body in the figure, with the same triangles in all of them.
+struct DeformedState {
+  std::string caption;
+  mesh::Points3 vertices;
+  std::vector<double> length_change;  // of every element, see strain.hpp
+  std::vector<int> inverted;          // elements
+};
+
+struct DeformationFigure {
+  std::string title;
+  std::string subtitle;
+  std::vector<DeformedState> states;      // drawn side by side, equally large
+  const mesh::Triangles& triangles;       // of the surface
+  const std::vector<int>& element;        // behind every triangle
+  std::vector<double> volumes;            // of the elements at rest
+  std::vector<std::array<int, 2>> lines;  // to draw dark, as pairs of vertices: where handles end
+  bool flat = false;                      // a body in the plane: seen from straight above
+};
+
+// The states seen by one camera that fits the first, coloured by the largest change of length, averaged
+// around every vertex of the surface, with the scale and the histogram of the elements of the last state: a
+// PNG 1600 pixels wide and, as the body needs, 400 to 900 high, as bytes.
+std::string draw_deformation(const DeformationFigure& figure);
+
+}  // namespace isostretch::app::figures

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "common/body.hpp"
+#include "common/choice_names.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace isostretch::app {
+
+enum class FrameFormat { vtu, obj, msh };
+inline constexpr ChoiceNames<FrameFormat, 3> frame_format_names{
+    {{"vtu", FrameFormat::vtu}, {"obj", FrameFormat::obj}, {"msh", FrameFormat::msh}}};
+
+struct CellField {
+  std::string name;
+  std::vector<double> values;  // one an element
+};
+
+// "frame_0012.vtu".
+std::string frame_name(int number, FrameFormat format);
+
+// Throws Error when the format cannot hold the elements of the body: MSH has linear triangles and tets.
+void require_holds(FrameFormat format, const Body& body);
+
+// The body at some positions: VTU with its elements, the fields and the displacement of every node, in raw
+// doubles; OBJ with its surface; MSH with its elements.
+std::string format_frame(FrameFormat format, const Body& body, const Vector& positions,
+                         const std::vector<CellField>& fields);
+
+// ParaView's list of the files of an animation with their times.
+std::string pvd_text(const std::vector<std::pair<std::string, double>>& file_and_time);
+
+}  // namespace isostretch::app

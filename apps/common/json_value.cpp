@@ -1,0 +1,120 @@
+#include "common/json_value.hpp"
+
+#include <isostretch/core/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace isostretch::app {
+namespace {
+
+// "[json.exception.parse_error.101] parse error at line 3, ...", without the library's number.
+std::string without_number(const std::string& message) {
+  const std::size_t end = message.find("] ");
+  return end == std::string::npos ? message : message.substr(end + 2);
+}
+
+}  // namespace
+
+Json read_json_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!std::filesystem::is_regular_file(file) || !in || !(text << in.rdbuf()))
+    throw Error(file.string() + ": cannot be read");
+  try {
+    return Json::parse(text.str(), nullptr, true, true);
+  } catch (const Json::parse_error& error) {
+    throw Error(file.string() + ": " + without_number(error.what()));
+  }
+}
+
+void JsonValue::fail(const std::string& what) const {
+  throw Error(path_.empty() ? what : path_ + ": " + what);
+}
+
+void JsonValue::require_kind(bool is, const char* kind) const {
+  if (!is) fail(std::string("must be ") + kind + ", not " + json_->dump().substr(0, 60));
+}
+
+const JsonValue& JsonValue::only(const std::vector<std::string>& keys) const {
+  require_kind(json_->is_object(), "an object {...}");
+  for (const auto& [key, value] : json_->items())
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      fail("unknown key '" + key + "'; there are " + listed(keys));
+  return *this;
+}
+
+bool JsonValue::has(const std::string& key) const {
+  return json_->is_object() && json_->contains(key);
+}
+
+JsonValue JsonValue::at(const std::string& key) const {
+  require_kind(json_->is_object(), "an object {...}");
+  if (!json_->contains(key)) fail("the key '" + key + "' is missing");
+  return JsonValue((*json_)[key], path_.empty() ? key : path_ + "." + key);
+}
+
+std::optional<JsonValue> JsonValue::find(const std::string& key) const {
+  return has(key) ? std::optional(at(key)) : std::nullopt;
+}
+
+double JsonValue::number() const {
+  require_kind(json_->is_number() && std::isfinite(json_->get<double>()), "a finite number");
+  return json_->get<double>();
+}
+
+double JsonValue::positive() const {
+  require_kind(json_->is_number() && number() > 0, "a number > 0");
+  return number();
+}
+
+int JsonValue::whole(int lowest, int highest) const {
+  const bool is =
+      json_->is_number() && number() == std::floor(number()) && number() >= lowest && number() <= highest;
+  require_kind(is,
+               ("a whole number from " + std::to_string(lowest) + " to " + std::to_string(highest)).c_str());
+  return json_->get<int>();
+}
+
+std::string JsonValue::text() const {
+  require_kind(json_->is_string(), "a text");
+  return json_->get<std::string>();
+}
+
+std::vector<JsonValue> JsonValue::items() const {
+  require_kind(json_->is_array(), "a list [...]");
+  std::vector<JsonValue> values;
+  for (std::size_t i = 0; i < json_->size(); ++i)
+    values.emplace_back((*json_)[i], std::string(path_).append("[").append(std::to_string(i)).append("]"));
+  return values;
+}
+
+std::vector<double> JsonValue::numbers() const {
+  std::vector<double> values;
+  for (const JsonValue& item : items()) values.push_back(item.number());
+  return values;
+}
+
+std::vector<int> JsonValue::whole_numbers() const {
+  std::vector<int> values;
+  for (const JsonValue& item : items()) values.push_back(item.whole(0, 2'147'483'647));
+  return values;
+}
+
+Eigen::Vector3d JsonValue::point(int dim) const {
+  const std::vector<double> values = numbers();
+  if (static_cast<int>(values.size()) != dim)
+    fail("must be " + std::to_string(dim) + " numbers, not " + std::to_string(values.size()));
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  std::copy(values.begin(), values.end(), point.data());
+  return point;
+}
+
+void JsonValue::require_one_of(const std::vector<std::string>& names) const {
+  if (std::find(names.begin(), names.end(), text()) == names.end())
+    fail("unknown '" + text() + "'; there are " + listed(names));
+}
+
+}  // namespace isostretch::app

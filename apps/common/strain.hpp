@@ -1,0 +1,32 @@
+#pragma once
+
+#include "common/body.hpp"
+
+#include <isostretch/assembly/energy_assembler.hpp>
+
+#include <vector>
+
+namespace isostretch::app {
+
+// How a body is strained at some positions: what pictures and reports show, for any energy.
+struct StrainField {
+  std::vector<double> stretches;      // [element][point][dim]: singular values of F, the last signed
+  std::vector<double> min_det;        // of every element over its quadrature points: det F
+  std::vector<double> length_change;  // the same: largest factor by which a length changes, at least 1
+  std::vector<int> inverted;          // elements with det F <= 0 somewhere, or NaN
+
+  double smallest_det() const;
+  int worst_element() const;  // where
+};
+
+class Strain {
+ public:
+  explicit Strain(const Body& body);
+  StrainField at(const Vector& positions) const;
+
+ private:
+  const Body& body_;
+  assembly::EnergyAssembler assembler_;
+};
+
+}  // namespace isostretch::app

@@ -1,0 +1,154 @@
+#include "command_line.hpp"
+
+#include "common/energy_choice.hpp"
+#include "common/exit_code.hpp"
+#include "common/json_value.hpp"
+#include "common/validators.hpp"
+#include "handle_text.hpp"
+#include "material.hpp"
+#include "scene.hpp"
+#include "scene_reader.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace isostretch::app::deform {
+namespace {
+
+std::string energy_list() {
+  return "In space:\n" + energy_table(3) + "\nIn the plane:\n" + listed(energy_names_in(2)) +
+         "\n\nWith --young and --poisson:\n" + listed(energies_with_material()) + "\n";
+}
+
+}  // namespace
+
+void CommandLine::declare(CLI::App& cli) {
+  declare_files(cli);
+  declare_scene(cli);
+  solver_flags_.declare(cli);
+}
+
+void CommandLine::declare_files(CLI::App& cli) {
+  std::string input_help = "Tets (MSH, MESH, VTK, VTU), a surface in the plane z = 0, or a scene (JSON)";
+  cli.add_option("input", input_, input_help)->required()->type_name("FILE");
+  cli.add_option("-o,--out", out_, "Folder for frames, summary.json, trace.csv, deform.png, report.html")
+      ->required()
+      ->type_name("FOLDER");
+  cli.add_flag("--restart", restart_, "Go on after the last good frame in that folder");
+  cli.add_option("--stop-after", stop_after_, "End after so many frames of this run; --restart goes on")
+      ->check(whole_number_between(0, 1'000'000))
+      ->type_name("N");
+  cli.add_option("--format", format_, "Of the frames: " + listed(all_names(frame_format_names)))
+      ->check(CLI::IsMember(all_names(frame_format_names)))
+      ->type_name("NAME")
+      ->default_str("vtu");
+  cli.add_flag("--no-picture", no_picture_, "Do not draw deform.png, and write no report.html");
+}
+
+void CommandLine::declare_scene(CLI::App& cli) {
+  cli.add_option("-e,--energy", energy_, "Distortion energy; --list-energies shows all")
+      ->type_name("NAME")
+      ->default_str("arap");
+  cli.add_option("-p,--param", parameters_,
+                 "Parameters of the energy: name=value[,name=value...]; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+  cli.add_option("--young", young_, "Young's modulus")->check(positive())->type_name("E");
+  cli.add_option("--poisson", poisson_, "Poisson's ratio")->check(CLI::Range(-1.0, 0.5))->type_name("NU");
+  cli.add_flag_callback(
+         "--list-energies",
+         [] {
+           std::cout << energy_list() << std::flush;
+           throw CLI::Success{};
+         },
+         "List the energies and their parameters, and exit")
+      ->trigger_on_parse();
+  cli.add_option("--handle", handles_, handle_help() + "May be repeated")
+      ->allow_extra_args(false)
+      ->type_name("HANDLE");
+  cli.add_option("--frames", frames_, "Steps from rest to the end of the motion")
+      ->check(whole_number_between(1, 1'000'000))
+      ->type_name("N")
+      ->default_str(std::to_string(10));
+  cli.add_option("--guess", guess_, "Start of every frame: " + listed(all_names(guess_names)))
+      ->check(CLI::IsMember(all_names(guess_names)))
+      ->type_name("NAME")
+      ->default_str(name_of(guess_names, Guess::biharmonic));
+  cli.add_option("--order", order_, "2: quadratic elements of the file's linear ones")
+      ->check(whole_number_between(1, 2))
+      ->type_name("N");
+  cli.add_option("--quadrature", quadrature_, "Degree that the quadrature of the elements integrates exactly")
+      ->check(whole_number_between(1, 5))
+      ->type_name("N");
+}
+
+bool CommandLine::has_scene_file() const {
+  return input_.extension() == ".json";
+}
+
+Options CommandLine::options() const {
+  return failing_with(ExitCode::command_line, [this] {
+    Options options;
+    options.out = out_;
+    options.restart = restart_;
+    options.stop_after = stop_after_;
+    options.picture = !no_picture_;
+    newton::Options newton;
+    solver_flags_.apply(newton);
+    options.time_limit = newton.time_limit;
+    return options;
+  });
+}
+
+void CommandLine::add_energy(Json& scene) const {
+  const auto parameters =
+      failing_with(ExitCode::command_line, [this] { return parse_parameters(parameters_); });
+  if (energy_) scene["energy"] = *energy_;
+  if (!scene.contains("energy")) scene["energy"] = "arap";
+  if (!parameters.empty()) {
+    if (scene["energy"].is_string()) scene["energy"] = Json{{"name", scene["energy"]}};
+    for (const auto& [name, value] : parameters) scene["energy"]["parameters"][name] = value;
+  }
+  if (young_.has_value() != poisson_.has_value())
+    throw Failure(ExitCode::command_line, "--young and --poisson go together");
+  if (young_) scene["material"] = Json{{"young", *young_}, {"poisson", *poisson_}};
+}
+
+void CommandLine::add_handles(Json& scene) const {
+  failing_with(ExitCode::command_line, [&] {
+    for (const std::string& text : handles_) scene["handles"].push_back(handle_from_text(text));
+    if (!scene.contains("handles")) throw Error("--handle: there must be one at least");
+  });
+}
+
+Json CommandLine::scene() const {
+  Json scene = Json::object();
+  if (has_scene_file())
+    scene = failing_with(ExitCode::input, [this] {
+      const Json json = read_json_file(input_);
+      naming_file(input_, [&] { JsonValue(json).only(scene_keys()); });
+      return json;
+    });
+  else
+    scene["mesh"] = input_.string();
+  try {
+    add_energy(scene);
+    add_handles(scene);
+  } catch (const Json::exception&) {
+    throw Failure(ExitCode::input,
+                  input_.string() + ": energy or handles are nothing that the command line could add to");
+  }
+  if (frames_) scene["frames"] = *frames_;
+  if (guess_) scene["guess"] = *guess_;
+  if (format_) scene["format"] = *format_;
+  if (order_) scene["order"] = *order_;
+  if (quadrature_) scene["quadrature"] = *quadrature_;
+  newton::Options newton =
+      failing_with(ExitCode::input, [&] { return naming_file(input_, [&] { return read_solver(scene); }); });
+  failing_with(ExitCode::command_line, [&] { solver_flags_.apply(newton); });
+  scene["solver"] = solver_json(newton);
+  return scene;
+}
+
+}  // namespace isostretch::app::deform

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "common/output_folder.hpp"
+#include "common/solver_flags.hpp"
+#include "options.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace isostretch::app::deform {
+
+// The options of this app: declared to CLI11, then read with everything that CLI11 cannot check itself.
+class CommandLine {
+ public:
+  void declare(CLI::App& cli);
+
+  // Both throw Failure: with ExitCode::command_line naming the option at fault, with ExitCode::input where it
+  // is a scene file.
+  Options options() const;
+  // The scene file, if there is one, with what the command line adds or replaces.
+  Json scene() const;
+
+  bool has_scene_file() const;
+  const std::filesystem::path& input() const { return input_; }
+
+ private:
+  void declare_files(CLI::App& cli);
+  void declare_scene(CLI::App& cli);
+  void add_energy(Json& scene) const;
+  void add_handles(Json& scene) const;
+
+  std::filesystem::path input_;
+  std::string out_;
+  std::optional<std::string> energy_, guess_, format_;
+  std::optional<int> frames_, order_, quadrature_;
+  std::optional<double> young_, poisson_;
+  std::vector<std::string> parameters_, handles_;
+  SolverFlags solver_flags_;
+  int stop_after_ = -1;
+  bool restart_ = false, no_picture_ = false;
+};
+
+}  // namespace isostretch::app::deform

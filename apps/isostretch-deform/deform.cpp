@@ -1,0 +1,224 @@
+#include "deform.hpp"
+
+#include "common/formatted.hpp"
+#include "common/interrupt.hpp"
+#include "common/newton_report.hpp"
+#include "common/terminal.hpp"
+#include "report.hpp"
+#include "scene_reader.hpp"
+#include "state.hpp"
+
+#include <isostretch/core/timer.hpp>
+
+#include <utility>
+
+namespace isostretch::app::deform {
+namespace {
+
+template <class Work>
+auto timed(double& seconds, Work&& work) {
+  const ScopedTimer timer(seconds);
+  return work();
+}
+
+// What the scene says wrong is the fault of its file, or of the command line when there is no such file; what
+// is wrong in a mesh is that of the mesh in any case.
+template <class Work>
+auto reading_scene(const CommandLine& command_line, Work&& work) {
+  const ExitCode code = command_line.has_scene_file() ? ExitCode::input : ExitCode::command_line;
+  return failing_with(code, [&] {
+    if (command_line.has_scene_file()) return naming_file(command_line.input(), work);
+    return work();
+  });
+}
+
+class Job {
+ public:
+  Job(const CommandLine& command_line, const CommonOptions& common)
+      : options_(command_line.options()),
+        common_(common),
+        json_(command_line.scene()),
+        body_(timed(seconds_.read, [&] { return read_body(command_line); })),
+        scene_(reading_scene(command_line, [&] { return read_scene(json_, body_.dim); })),
+        rig_(reading_scene(command_line, [&] { return Rig(scene_, body_); })),
+        problem_(
+            timed(seconds_.read,
+                  [&] { return reading_scene(command_line, [&] { return Problem(scene_, body_, rig_); }); })),
+        strain_(body_),
+        result_{scene_, body_, rig_, problem_, Outcome::finished, {}, Json::array(), {}, {}, 0, {}} {
+    reading_scene(command_line, [&] { require_holds(scene_.format, body_); });
+    warn_of_loose_components();
+  }
+
+  ExitCode run() {
+    State state = options_.restart ? restored() : State();
+    OutputFolder folder(options_.out);
+    if (!options_.restart) state = rest_state(folder);
+    result_.restarted_at = options_.restart ? state.frame + 1 : 0;
+    timed(seconds_.solve, [&] { make_frames(state, folder); });
+    seconds_.solve -= frame_write_seconds_;
+    write_reports(folder);
+    return conclude(folder);
+  }
+
+ private:
+  Body read_body(const CommandLine& command_line) {
+    const std::filesystem::path parent =
+        command_line.has_scene_file() ? command_line.input().parent_path() : std::filesystem::path();
+    const BodySpec spec = reading_scene(command_line, [&] { return read_body_spec(json_, parent); });
+    if (spec.bar) return reading_scene(command_line, [&] { return load_body(spec); });
+    return failing_with(ExitCode::input, [&] { return load_body(spec); });
+  }
+
+  void warn_of_loose_components() {
+    const std::vector<int> loose = loose_components(rig_, body_);
+    if (loose.empty()) return;
+    std::string text = formatted(
+        "%zu component(s) of the mesh have no handle and stay where they are, those of vertex", loose.size());
+    for (std::size_t i = 0; i < std::min<std::size_t>(loose.size(), 5); ++i)
+      text.append(i > 0 ? ", " : " ").append(std::to_string(loose[i]));
+    result_.warnings.push_back(text + (loose.size() > 5 ? ", ..." : ""));
+    warn(result_.warnings.back());
+  }
+
+  State restored() {
+    State state = failing_with(ExitCode::input, [&] { return read_state(options_.out, json_, body_); });
+    notice(formatted("going on after frame %d of %d", state.frame, scene_.frames));
+    return state;
+  }
+
+  // Frame 0.
+  State rest_state(OutputFolder& folder) {
+    State state;
+    state.positions = body_.rest_positions();
+    state.frames = Json::array();
+    const StrainField strain = strain_.at(state.positions);
+    const std::string file = frame_name(0, scene_.format);
+    state.frames.push_back(rest_frame_json(result_, strain, file));
+    write_frame(folder, file, state.positions, strain);
+    save(folder, state);
+    return state;
+  }
+
+  void make_frames(State& state, OutputFolder& folder) {
+    Stepper stepper(scene_, body_, rig_, problem_, options_.time_limit);
+    result_.positions = state.positions;
+    result_.frames = state.frames;
+    result_.trace = state.trace;
+    for (int frame = state.frame + 1; frame <= scene_.frames; ++frame) {
+      if (interrupted())
+        return stop(Outcome::stopped, formatted("interrupted (Ctrl-C) before frame %d", frame));
+      if (options_.stop_after >= 0 && frame > first_frame() + options_.stop_after - 1)
+        return stop(Outcome::stop_after,
+                    formatted("stopped after frame %d of %d (--stop-after)", frame - 1, scene_.frames));
+      if (!make_frame(frame, stepper, folder, state)) return;
+    }
+  }
+
+  int first_frame() const { return options_.restart ? result_.restarted_at : 1; }
+
+  void stop(Outcome outcome, std::string message) {
+    result_.outcome = outcome;
+    result_.message = std::move(message);
+  }
+
+  // False when it was not reached; `state` then stays at the frame before.
+  bool make_frame(int frame, Stepper& stepper, OutputFolder& folder, State& state) {
+    Vector positions = state.positions;
+    const FrameResult made = stepper.advance(frame, positions);
+    const StrainField strain = strain_.at(positions);
+    const bool moved = made.parts > 0;  // there is something to show
+    const std::string file = frame_name(frame, scene_.format);
+    if (moved) {
+      result_.frames.push_back(frame_json(frame, made, made.time, strain, file));
+      result_.trace += trace_rows(frame, made.summary, result_.trace.empty());
+      result_.positions = positions;
+      write_frame(folder, file, positions, strain);
+    }
+    if (!made.reached) {
+      const bool failed = !made.why.empty() || newton::failed(made.summary.status);
+      stop(failed ? Outcome::failed : Outcome::stopped,
+           made.why.empty() ? formatted("frame %d: ", frame) + made.summary.message : made.why);
+      return false;
+    }
+    state = {frame, result_.frames, result_.trace, std::move(positions)};
+    save(folder, state);
+    notice(progress(frame, made, strain));
+    return true;
+  }
+
+  std::string progress(int frame, const FrameResult& made, const StrainField& strain) const {
+    return formatted("frame %d of %d: %s, %d iterations, min det F %.3g, %.2f s", frame, scene_.frames,
+                     std::string(newton::status_name(made.summary.status)).c_str(), made.summary.iterations,
+                     strain.smallest_det(), made.seconds);
+  }
+
+  void write_frame(OutputFolder& folder, const std::string& file, const Vector& positions,
+                   const StrainField& strain) {
+    const ScopedTimer timer(frame_write_seconds_);
+    std::vector<CellField> fields{{"min_det_F", strain.min_det},
+                                  {"length_change", strain.length_change},
+                                  {"stress_norm", problem_.stress_norms(strain)}};
+    if (problem_.regions().size() > 1) fields.push_back({"region", problem_.region_numbers()});
+    folder.write_now(file, format_frame(scene_.format, body_, positions, fields));
+  }
+
+  void save(OutputFolder& folder, const State& state) {
+    const ScopedTimer timer(frame_write_seconds_);
+    folder.write_now(state_file, state_text(state, json_, body_));
+  }
+
+  void write_reports(OutputFolder& folder) {
+    std::string picture;
+    timed(seconds_.write, [&] {
+      if (options_.picture) folder.add("deform.png", picture = draw(result_, strain_));
+      folder.add("trace.csv", result_.trace);
+      if (scene_.format == FrameFormat::vtu) folder.add("deform.pvd", animation());
+    });
+    seconds_.write += frame_write_seconds_;
+    seconds_.total = timer_.seconds();
+    const Json summary = summary_json(result_, seconds_);
+    folder.add_json("summary.json", summary);
+    if (options_.picture) folder.add("report.html", report_page(result_, summary, picture));
+    folder.commit();
+  }
+
+  std::string animation() const {
+    std::vector<std::pair<std::string, double>> files;
+    for (const Json& frame : result_.frames)
+      files.emplace_back(frame["file"].get<std::string>(), frame["time"].get<double>());
+    return pvd_text(files);
+  }
+
+  ExitCode conclude(const OutputFolder& folder) const {
+    print(verdict(result_) + "\n");
+    if (common_.verbose)
+      for (const auto& path : folder.paths()) print("wrote " + path.string() + "\n");
+    else
+      print(formatted("wrote %zu files to ", folder.paths().size()) + options_.out.string() + "\n");
+    const ExitCode code = exit_code(result_);
+    if (code != ExitCode::success) report_error(verdict(result_));
+    return code;
+  }
+
+  Timer timer_;
+  PhaseSeconds seconds_;
+  double frame_write_seconds_ = 0;
+  Options options_;
+  const CommonOptions& common_;
+  Json json_;
+  Body body_;
+  Scene scene_;
+  Rig rig_;
+  Problem problem_;
+  Strain strain_;
+  Result result_;
+};
+
+}  // namespace
+
+ExitCode deform(const CommandLine& command_line, const CommonOptions& common) {
+  return Job(command_line, common).run();
+}
+
+}  // namespace isostretch::app::deform

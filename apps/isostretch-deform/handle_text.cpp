@@ -1,0 +1,132 @@
+#include "handle_text.hpp"
+
+#include "common/numbers.hpp"
+
+#include <isostretch/core/error.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <vector>
+
+namespace isostretch::app::deform {
+namespace {
+
+[[noreturn]] void fail(const std::string& part, const std::string& what) {
+  throw Error("--handle: '" + part + "' " + what);
+}
+
+// Splits "name<mark>rest".
+bool cut(const std::string& text, char mark, std::string& name, std::string& rest) {
+  const std::size_t at = text.find(mark);
+  name = text.substr(0, at);
+  rest = at == std::string::npos ? std::string() : text.substr(at + 1);
+  return at != std::string::npos;
+}
+
+std::vector<double> numbers(const std::string& part, const std::string& text) {
+  std::vector<double> values;
+  for (const std::string& word : split(text, ',')) {
+    const auto value = finite_number(word);
+    if (!value) fail(part, "has '" + word + "' for a number");
+    values.push_back(*value);
+  }
+  return values;
+}
+
+double number(const std::string& part, const std::string& text) {
+  const std::vector<double> values = numbers(part, text);
+  if (values.size() != 1) fail(part, "needs one number");
+  return values[0];
+}
+
+Json point(const std::vector<double>& values, std::size_t from, std::size_t dim) {
+  return Json(std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(from),
+                                  values.begin() + static_cast<std::ptrdiff_t>(from + dim)));
+}
+
+// Coordinates of so many points, in 2D or 3D, and so many numbers more: the dimension.
+std::size_t dimension(const std::string& part, std::size_t count, std::size_t points, std::size_t more) {
+  for (const std::size_t dim : {2U, 3U})
+    if (count == points * dim + more) return dim;
+  fail(part, "has " + std::to_string(count) + " numbers; see --help");
+}
+
+Json slab(const std::string& part, const std::string& rest) {
+  const std::vector<std::string> words = split(rest, ',');
+  if (words.size() != 3) fail(part, "is not slab:AXIS,min|max,FRACTION");
+  return {{"axis", words[0]}, {"end", words[1]}, {"fraction", number(part, words[2])}};
+}
+
+Json list(const std::string& part, const std::string& rest) {
+  Json vertices = Json::array();
+  for (const std::string& word : split(rest, ',')) {
+    const auto vertex = whole_number(word);
+    if (!vertex || *vertex < 0) fail(part, "has '" + word + "' for a vertex number");
+    vertices.push_back(*vertex);
+  }
+  return vertices;
+}
+
+Json selection(const std::string& part) {
+  std::string kind, rest;
+  cut(part, ':', kind, rest);
+  if (part == "all") return "all";
+  if (kind == "slab") return {{"slab", slab(part, rest)}};
+  if (kind == "vertices") return {{"vertices", list(part, rest)}};
+  if (kind != "box" && kind != "sphere" && kind != "nearest" && kind != "patch")
+    fail(part, "is no selection: all, box, sphere, vertices, slab, nearest, patch");
+  const std::vector<double> n = numbers(part, rest);
+  if (kind == "box") {
+    const std::size_t dim = dimension(part, n.size(), 2, 0);
+    return {{"box", {{"min", point(n, 0, dim)}, {"max", point(n, dim, dim)}}}};
+  }
+  if (kind == "nearest") {
+    const std::size_t dim = dimension(part, n.size(), 1, 0);
+    return {{"nearest", {{"point", point(n, 0, dim)}}}};
+  }
+  const std::size_t dim = dimension(part, n.size(), 1, 1);
+  if (kind == "sphere") return {{"sphere", {{"center", point(n, 0, dim)}, {"radius", n.back()}}}};
+  return {{"patch", {{"point", point(n, 0, dim)}, {"distance", n.back()}}}};
+}
+
+Json rotation(const std::string& part, const std::string& value) {
+  std::string axis, degrees;
+  if (!cut(value, ':', axis, degrees)) return {{"degrees", number(part, value)}};  // in the plane
+  return {{"axis", Json(numbers(part, axis))}, {"degrees", number(part, degrees)}};
+}
+
+void add_property(const std::string& part, Json& handle) {
+  std::string key, value;
+  if (!cut(part, '=', key, value)) fail(part, "is not of the form key=value");
+  if (handle.contains(key)) fail(part, "is given twice");
+  if (key == "rotate")
+    handle[key] = rotation(part, value);
+  else if (key == "translate" || key == "center")
+    handle[key] = numbers(part, value);
+  else if (key == "scale" || key == "soft")
+    handle[key] = number(part, value);
+  else if (key == "name")
+    handle[key] = value;
+  else
+    fail(part, "has an unknown key; there are translate, rotate, scale, center, soft, name");
+}
+
+}  // namespace
+
+Json handle_from_text(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ';');
+  Json handle{{"select", selection(parts[0])}};
+  for (std::size_t i = 1; i < parts.size(); ++i) add_property(parts[i], handle);
+  return handle;
+}
+
+std::string handle_help() {
+  return "Handles: SELECTION[;KEY=VALUE...], in quotes for the shell's sake\n"
+         "  SELECTION  all | slab:AXIS,min|max,FRACTION | box:X,Y,Z,X,Y,Z | sphere:X,Y,Z,RADIUS |\n"
+         "             vertices:N[,N...] | nearest:X,Y,Z | patch:X,Y,Z,DISTANCE\n"
+         "  KEY=VALUE  translate=X,Y,Z | rotate=X,Y,Z:DEGREES | scale=S | center=X,Y,Z | soft=WEIGHT | "
+         "name=TEXT\n"
+         "  In the plane points have two numbers, and rotate=DEGREES.\n";
+}
+
+}  // namespace isostretch::app::deform

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "common/output_folder.hpp"
+
+#include <string>
+
+namespace isostretch::app::deform {
+
+// A handle as the command line gives it, "slab:x,max,0.1;rotate=0,0,1:90;translate=0,0,1;soft=10", as the
+// scene gives it. Throws Error, beginning with --handle, for words and numbers that are none; what they mean
+// is up to the reader of the scene.
+Json handle_from_text(const std::string& text);
+
+// What --help says of it.
+std::string handle_help();
+
+}  // namespace isostretch::app::deform

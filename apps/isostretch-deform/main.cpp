@@ -1,0 +1,13 @@
+#include "command_line.hpp"
+#include "deform.hpp"
+
+int main(int argc, char** argv) {
+  using namespace isostretch::app;
+  deform::CommandLine command_line;
+  return run_app(argc, argv,
+                 {.name = "isostretch-deform",
+                  .purpose = "Moves parts of a body and lets the rest follow with as little distortion as an "
+                             "energy allows, frame by frame.",
+                  .declare = [&](CLI::App& cli) { command_line.declare(cli); },
+                  .body = [&](const CommonOptions& common) { return deform::deform(command_line, common); }});
+}

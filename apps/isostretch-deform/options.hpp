@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+namespace isostretch::app::deform {
+
+// What does not belong to the scene: it changes no result.
+struct Options {
+  std::filesystem::path out;
+  bool restart = false;
+  int stop_after = -1;    // frames made in this run; -1: all
+  double time_limit = 0;  // seconds; 0: none
+  bool picture = true;
+};
+
+}  // namespace isostretch::app::deform

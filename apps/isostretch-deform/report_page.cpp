@@ -1,0 +1,80 @@
+#include "common/formatted.hpp"
+#include "common/html.hpp"
+#include "common/report_style.hpp"
+#include "report.hpp"
+
+#include <cctype>
+
+namespace isostretch::app::deform {
+namespace {
+
+std::string sentence(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
+std::string number(const Json& value, const char* pattern) {
+  return value.is_number() ? formatted(pattern, value.get<double>()) : std::string("–");
+}
+
+std::string frame_table(const Json& frames) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& f : frames)
+    rows.push_back({std::to_string(f["frame"].get<int>()), number(f["time"], "%.4g"), f["status"],
+                    std::to_string(f["iterations"].get<int>()), std::to_string(f["parts"].get<int>()),
+                    number(f.value("energy", Json()), "%.8g"),
+                    number(f.value("gradient_inf_norm", Json()), "%.1e"), number(f["min_det_F"], "%.3g"),
+                    number(f["max_length_change"], "%.3g"), std::to_string(f["inverted"].get<int>()),
+                    number(f.value("seconds", Json()), "%.2f")});
+  const std::vector<html::Column> columns{
+      {"frame", true},      {"time", true},      {"status"},
+      {"iterations", true}, {"parts", true},     {"energy", true},
+      {"|gradient|", true}, {"min det F", true}, {"change of length", true},
+      {"inverted", true},   {"seconds", true}};
+  return html::block("div", html::table(columns, rows), "class=\"wide\"");
+}
+
+std::string handle_table(const Json& handles) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& h : handles)
+    rows.push_back({h["name"], h["kind"], h.contains("weight") ? number(h["weight"], "%.4g") : std::string(),
+                    std::to_string(h["nodes"].get<int>())});
+  return html::table({{"handle"}, {"kind"}, {"weight", true}, {"nodes", true}}, rows);
+}
+
+std::string region_table(const Json& regions) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& r : regions) {
+    std::string parameters;
+    for (const auto& [name, value] : r["energy_parameters"].items())
+      parameters += (parameters.empty() ? "" : ", ") + name + " = " + number(value, "%.6g");
+    rows.push_back({r["name"], r["energy_name"], parameters, std::to_string(r["elements"].get<int>())});
+  }
+  return html::table({{"region"}, {"energy"}, {"parameters"}, {"elements", true}}, rows);
+}
+
+std::string warning_list(const Result& r) {
+  std::string items;
+  for (const std::string& warning : r.warnings) items += html::block("li", html::escaped(warning));
+  return items.empty() ? "" : html::block("ul", items, "class=\"warnings\"");
+}
+
+}  // namespace
+
+std::string report_page(const Result& r, const Json& summary, const std::string& picture) {
+  const bool good = exit_code(r) == ExitCode::success;
+  std::string body = html::block("h1", html::escaped(r.body.name));
+  body += html::block("p", html::escaped(sentence(verdict(r))),
+                      good ? "class=\"verdict\"" : "class=\"verdict bad\"");
+  body += warning_list(r);
+  body += html::figure(picture, "The body at rest and in the last frame",
+                       "At rest and in the last frame. Pale where lengths are kept, dark where the worst "
+                       "direction is stretched or shrunk most; lines: where handles end.");
+  body += html::block("h2", "Handles") + handle_table(summary.at("handles"));
+  body += html::block("h2", "Regions") + region_table(summary.at("regions"));
+  body += html::block("h2", "Frames") + frame_table(summary.at("frames"));
+  body += html::block("footer", "isostretch-deform " + summary.at("version").get<std::string>());
+  return html::page(r.body.name + ", deformed", report_style, body);
+}
+
+}  // namespace isostretch::app::deform

@@ -1,0 +1,92 @@
+#include "rig.hpp"
+
+#include <isostretch/core/error.hpp>
+#include <isostretch/handles/elements.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace isostretch::app::deform {
+namespace {
+
+Handle resolved(const HandleSpec& spec, const handles::Nodes& nodes) {
+  std::vector<int> chosen = handles::select(spec.select, nodes, spec.path + ".select");
+  const handles::Point center = spec.center.value_or(handles::center_of(chosen, nodes));
+  return {spec.path, spec.name, std::move(chosen), handles::Motion(spec.keyframes, center, spec.path),
+          spec.soft};
+}
+
+std::string called(const Handle& handle) {
+  return handle.name == handle.path ? handle.path : handle.path + " (" + handle.name + ")";
+}
+
+}  // namespace
+
+Rig::Rig(const Scene& scene, const Body& body) : nodes_(body.selectable()) {
+  for (const HandleSpec& spec : scene.handles) handles_.push_back(resolved(spec, nodes_));
+  share_nodes(scene, 1e-12 * body.diagonal());
+}
+
+void Rig::share_nodes(const Scene& scene, double tolerance) {
+  std::vector<int> owner(static_cast<std::size_t>(nodes_.count()), -1);
+  for (std::size_t h = 0; h < handles_.size(); ++h) {
+    std::vector<int> own;
+    for (const int node : handles_[h].nodes) {
+      int& first = owner[static_cast<std::size_t>(node)];
+      if (first >= 0)
+        require_alike(handles_[static_cast<std::size_t>(first)], handles_[h], node, scene, tolerance);
+      else
+        first = static_cast<int>(h), own.push_back(node);
+    }
+    handles_[h].nodes = std::move(own);
+  }
+}
+
+void Rig::require_alike(const Handle& a, const Handle& b, int node, const Scene& scene,
+                        double tolerance) const {
+  const std::string who = "vertex " + std::to_string(node) + " is in " + called(a) + " and in " + called(b);
+  if (a.soft != b.soft) throw Error(who + ", which do not hold it alike: hard, or with which weight?");
+  for (int frame = 0; frame <= scene.frames; ++frame) {
+    const double time = scene.time(frame);
+    if (!((target(a, node, time) - target(b, node, time)).norm() <= tolerance))
+      throw Error(who + ", which move it to different places");
+  }
+}
+
+std::vector<int> Rig::hard_nodes() const {
+  std::vector<int> all;
+  for (const Handle& handle : handles_)
+    if (!handle.soft) all.insert(all.end(), handle.nodes.begin(), handle.nodes.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::vector<int> Rig::nodes() const {
+  std::vector<int> all;
+  for (const Handle& handle : handles_) all.insert(all.end(), handle.nodes.begin(), handle.nodes.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void Rig::place(double time, Vector& positions, bool soft_too) const {
+  for (const Handle& handle : handles_) {
+    if (handle.soft && !soft_too) continue;
+    const handles::Placement placement = handle.motion.at(time);
+    for (const int node : handle.nodes) {
+      const handles::Point target = placement(nodes_.at(node));
+      for (int i = 0; i < nodes_.dim; ++i) positions[nodes_.dim * node + i] = target[i];
+    }
+  }
+}
+
+std::vector<int> loose_components(const Rig& rig, const Body& body) {
+  const std::vector<int> component = handles::component_of_nodes(body.elements);
+  std::set<int> held{-1};
+  for (const int node : rig.nodes()) held.insert(component[static_cast<std::size_t>(node)]);
+  std::vector<int> loose;
+  for (std::size_t node = 0; node < component.size(); ++node)
+    if (held.insert(component[node]).second) loose.push_back(static_cast<int>(node));
+  return loose;
+}
+
+}  // namespace isostretch::app::deform

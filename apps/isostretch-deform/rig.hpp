@@ -1,0 +1,51 @@
+#pragma once
+
+#include "common/body.hpp"
+#include "scene.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isostretch::app::deform {
+
+struct Handle {
+  std::string path;  // in the scene, for messages
+  std::string name;
+  std::vector<int> nodes;  // ascending; a node that several handles move alike belongs to the first
+  handles::Motion motion;
+  std::optional<double> soft;  // weight
+};
+
+// The handles of a scene on the nodes of a body.
+class Rig {
+ public:
+  // Throws Error naming the handle's path for selections without a node, and naming the node and both handles
+  // where two of them move a node to different places, or one hard and one soft.
+  Rig(const Scene& scene, const Body& body);
+
+  const std::vector<Handle>& handles() const { return handles_; }
+  std::vector<int> hard_nodes() const;
+  std::vector<int> nodes() const;
+
+  // Puts nodes of hard handles, or of all, where they have to be at that time.
+  void place_hard(double time, Vector& positions) const { place(time, positions, false); }
+  void place_all(double time, Vector& positions) const { place(time, positions, true); }
+
+  handles::Point target(const Handle& handle, int node, double time) const {
+    return handle.motion.at(time)(nodes_.at(node));
+  }
+
+ private:
+  void place(double time, Vector& positions, bool soft_too) const;
+  void share_nodes(const Scene& scene, double tolerance);
+  void require_alike(const Handle& a, const Handle& b, int node, const Scene& scene, double tolerance) const;
+
+  handles::Nodes nodes_;
+  std::vector<Handle> handles_;
+};
+
+// Components of the body that no handle holds, each by its smallest node.
+std::vector<int> loose_components(const Rig& rig, const Body& body);
+
+}  // namespace isostretch::app::deform

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "common/choice_names.hpp"
+#include "common/frames.hpp"
+#include "common/output_folder.hpp"
+
+#include <isostretch/energies/any_energy.hpp>
+#include <isostretch/handles/motion.hpp>
+#include <isostretch/newton/options.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isostretch::app::deform {
+
+// Where the minimisation of a frame starts from.
+enum class Guess {
+  rest,        // the rest shape with the handles moved
+  previous,    // the frame before with the handles moved
+  harmonic,    // the frame before, and the further way of the handles spread over the body
+  biharmonic,  // the same, smoother at the handles
+};
+inline constexpr ChoiceNames<Guess, 4> guess_names{{{"rest", Guess::rest},
+                                                    {"previous", Guess::previous},
+                                                    {"harmonic", Guess::harmonic},
+                                                    {"biharmonic", Guess::biharmonic}}};
+
+struct RegionSpec {
+  std::string path;  // in the scene, for messages
+  std::string name;
+  std::optional<handles::Selection> select;  // elements all of whose nodes are in it
+  std::vector<int> elements;                 // otherwise
+  energies::AnyEnergy energy;
+};
+
+struct HandleSpec {
+  std::string path;
+  std::string name;
+  handles::Selection select;
+  std::vector<handles::Keyframe> keyframes;  // times are those of the scene
+  std::optional<handles::Point> center;      // none: the mean of its nodes
+  std::optional<double> soft;                // weight; none: held hard
+};
+
+// All that results depend on, besides the body.
+struct Scene {
+  Json json;  // as it was read, with what the command line adds
+  energies::AnyEnergy energy;
+  std::vector<RegionSpec> regions = {};
+  std::vector<HandleSpec> handles = {};
+  double start = 0, end = 1;  // times
+  int frames = 10;
+  Guess guess = Guess::biharmonic;
+  FrameFormat format = FrameFormat::vtu;
+  newton::Options newton = {};
+
+  // Of frame 0, the rest shape, to the last.
+  double time(int frame) const { return frame == frames ? end : start + (end - start) * frame / frames; }
+};
+
+}  // namespace isostretch::app::deform

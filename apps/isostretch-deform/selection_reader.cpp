@@ -1,0 +1,61 @@
+#include "selection_reader.hpp"
+
+#include <limits>
+
+namespace isostretch::app::deform {
+namespace {
+
+constexpr ChoiceNames<int, 3> axis_names{{{"x", 0}, {"y", 1}, {"z", 2}}};
+constexpr ChoiceNames<handles::End, 2> end_names{{{"min", handles::End::min}, {"max", handles::End::max}}};
+const std::vector<std::string> kinds{"all", "box", "sphere", "vertices", "slab", "nearest", "patch"};
+
+handles::Box read_box(const JsonValue& value, int dim) {
+  value.only({"min", "max"});
+  return {value.at("min").point(dim), value.at("max").point(dim)};
+}
+
+handles::Sphere read_sphere(const JsonValue& value, int dim) {
+  value.only({"center", "radius"});
+  return {value.at("center").point(dim), value.at("radius").positive()};
+}
+
+handles::Slab read_slab(const JsonValue& value, int dim) {
+  value.only({"axis", "end", "fraction", "width"});
+  if (value.has("fraction") == value.has("width")) value.fail("give either fraction or width");
+  const JsonValue axis = value.at("axis");
+  const int number = axis.choice(axis_names);
+  if (number >= dim) axis.fail("there is no z in the plane");
+  const bool relative = value.has("fraction");
+  return {number, value.at("end").choice(end_names), value.at(relative ? "fraction" : "width").positive(),
+          relative};
+}
+
+handles::Nearest read_nearest(const JsonValue& value, int dim) {
+  value.only({"point", "count"});
+  const auto count = value.find("count");
+  return {value.at("point").point(dim), count ? count->whole(1, std::numeric_limits<int>::max()) : 1};
+}
+
+handles::Patch read_patch(const JsonValue& value, int dim) {
+  value.only({"point", "distance"});
+  return {value.at("point").point(dim), value.at("distance").positive()};
+}
+
+}  // namespace
+
+handles::Selection read_selection(const JsonValue& value, int dim) {
+  if (value.is_text()) {
+    value.require_one_of({"all"});
+    return handles::All{};
+  }
+  value.only({kinds.begin() + 1, kinds.end()});
+  if (value.json().size() != 1) value.fail("must have one of the keys " + listed(kinds));
+  if (const auto box = value.find("box")) return read_box(*box, dim);
+  if (const auto sphere = value.find("sphere")) return read_sphere(*sphere, dim);
+  if (const auto slab = value.find("slab")) return read_slab(*slab, dim);
+  if (const auto nearest = value.find("nearest")) return read_nearest(*nearest, dim);
+  if (const auto patch = value.find("patch")) return read_patch(*patch, dim);
+  return handles::List{value.at("vertices").whole_numbers()};
+}
+
+}  // namespace isostretch::app::deform

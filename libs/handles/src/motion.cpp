@@ -1,0 +1,92 @@
+#include <isostretch/core/error.hpp>
+#include <isostretch/handles/motion.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace isostretch::handles {
+namespace {
+
+using Rotation = Eigen::Matrix3d;
+
+Rotation rotation(const Point& axis, double degrees) {
+  // Full turns are taken off first, and quarter turns are exact.
+  const double turn = std::remainder(degrees, 360.0);
+  double s = std::sin(turn * std::numbers::pi / 180), c = std::cos(turn * std::numbers::pi / 180);
+  if (std::fmod(turn, 90.0) == 0) s = std::round(s), c = std::round(c);
+  const Point n = axis.normalized();
+  Rotation cross;
+  cross << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
+  return Rotation::Identity() + s * cross + (1 - c) * cross * cross;
+}
+
+double mix(double from, double to, double t) {
+  return from + t * (to - from);
+}
+
+void require_finite(const Keyframe& key, const std::string& name) {
+  const Transform& t = key.transform;
+  if (!(std::isfinite(key.time) && t.translation.allFinite() && t.axis.allFinite() &&
+        std::isfinite(t.degrees) && std::isfinite(t.scale)))
+    throw Error(name + ": a number that is not finite");
+  if (!(t.axis.norm() > 0)) throw Error(name + ": a rotation axis of length zero");
+  if (!(t.scale > 0)) throw Error(name + ": a scale of " + std::to_string(t.scale) + ", must be positive");
+}
+
+// Degrees about the axis of `a` that `b` stands for, if it has the same axis.
+bool shares_axis(const Transform& a, const Transform& b, double& degrees) {
+  constexpr double same = 1e-12;
+  const double cosine = a.axis.normalized().dot(b.axis.normalized());
+  const bool parallel = a.axis.normalized().cross(b.axis.normalized()).norm() <= same;
+  degrees = cosine < 0 ? -b.degrees : b.degrees;
+  return parallel || b.degrees == 0;
+}
+
+Rotation between(const Transform& a, const Transform& b, double t) {
+  double degrees = 0;
+  if (shares_axis(a, b, degrees)) return rotation(a.axis, mix(a.degrees, degrees, t));
+  if (shares_axis(b, a, degrees)) return rotation(b.axis, mix(degrees, b.degrees, t));
+  const Rotation from = rotation(a.axis, a.degrees);
+  const Eigen::AngleAxisd way(Rotation(from.transpose() * rotation(b.axis, b.degrees)));
+  return from * rotation(way.axis(), t * way.angle() * 180 / std::numbers::pi);
+}
+
+}  // namespace
+
+Motion::Motion(std::vector<Keyframe> keyframes, const Point& center, const std::string& name)
+    : keyframes_(std::move(keyframes)), center_(center) {
+  if (keyframes_.empty()) throw Error(name + ": no keyframes");
+  for (const Keyframe& key : keyframes_) require_finite(key, name);
+  if (!center_.allFinite()) throw Error(name + ": a centre that is not finite");
+  for (std::size_t i = 1; i < keyframes_.size(); ++i)
+    if (!(keyframes_[i - 1].time < keyframes_[i].time))
+      throw Error(name + ": keyframe " + std::to_string(i) + " is not later than the one before");
+}
+
+Placement Motion::at(double time) const {
+  const auto after = std::find_if(keyframes_.begin(), keyframes_.end(),
+                                  [&](const Keyframe& key) { return key.time > time; });
+  const auto placed = [&](const Rotation& turned, double scale, const Point& translation) {
+    return Placement{scale * turned, center_, translation};
+  };
+  if (after == keyframes_.begin() || after == keyframes_.end()) {
+    const Transform& key = (after == keyframes_.end() ? keyframes_.back() : *after).transform;
+    return placed(rotation(key.axis, key.degrees), key.scale, key.translation);
+  }
+  const Transform &a = (after - 1)->transform, &b = after->transform;
+  const double t = (time - (after - 1)->time) / (after->time - (after - 1)->time);
+  return placed(between(a, b, t), mix(a.scale, b.scale, t),
+                a.translation + t * (b.translation - a.translation));
+}
+
+Point center_of(const std::vector<int>& chosen, const Nodes& nodes) {
+  Point sum = Point::Zero();
+  for (const int node : chosen) sum += nodes.at(node);
+  return sum / static_cast<double>(chosen.size());
+}
+
+}  // namespace isostretch::handles

@@ -1,0 +1,162 @@
+#include <isostretch/core/error.hpp>
+#include <isostretch/handles/selection.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace isostretch::handles {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+class Selector {
+ public:
+  Selector(const Nodes& nodes, const std::string& name) : nodes_(nodes), name_(name) {}
+
+  std::vector<int> operator()(const All&) const {
+    return where([](const Point&) { return true; });
+  }
+
+  std::vector<int> operator()(const Box& box) const {
+    for (int i = 0; i < nodes_.dim; ++i)
+      if (!(box.low[i] <= box.high[i])) fail("the box is empty along axis " + std::to_string(i));
+    return where([&](const Point& p) {
+      for (int i = 0; i < nodes_.dim; ++i)
+        if (!(box.low[i] <= p[i] && p[i] <= box.high[i])) return false;
+      return true;
+    });
+  }
+
+  std::vector<int> operator()(const Sphere& sphere) const {
+    require_positive(sphere.radius, "radius");
+    return where([&](const Point& p) { return distance(p, sphere.center) <= sphere.radius; });
+  }
+
+  std::vector<int> operator()(const List& list) const {
+    for (const int node : list.nodes)
+      if (node < 0 || node >= nodes_.count())
+        fail("there is no vertex " + std::to_string(node) + ", they go from 0 to " +
+             std::to_string(nodes_.count() - 1));
+    return list.nodes;
+  }
+
+  std::vector<int> operator()(const Slab& slab) const {
+    if (slab.axis < 0 || slab.axis >= nodes_.dim)
+      fail("axis " + std::to_string(slab.axis) + " in " + std::to_string(nodes_.dim) + "D");
+    require_positive(slab.width, "width");
+    double low = infinity, high = -infinity;
+    for (int n = 0; n < nodes_.count(); ++n) {
+      low = std::min(low, nodes_.at(n)[slab.axis]);
+      high = std::max(high, nodes_.at(n)[slab.axis]);
+    }
+    const double width = slab.relative ? slab.width * (high - low) : slab.width;
+    return where([&](const Point& p) {
+      return slab.end == End::min ? p[slab.axis] - low <= width : high - p[slab.axis] <= width;
+    });
+  }
+
+  std::vector<int> operator()(const Nearest& nearest) const {
+    if (nearest.count < 1) fail("a count of " + std::to_string(nearest.count) + ", must be at least 1");
+    if (nearest.count > nodes_.count())
+      fail("the " + std::to_string(nearest.count) + " nearest of " + std::to_string(nodes_.count()) +
+           " vertices");
+    std::vector<int> order(static_cast<std::size_t>(nodes_.count()));
+    std::iota(order.begin(), order.end(), 0);
+    const auto nearer = [&](int a, int b) {
+      return std::pair(distance(nodes_.at(a), nearest.point), a) <
+             std::pair(distance(nodes_.at(b), nearest.point), b);
+    };
+    std::partial_sort(order.begin(), order.begin() + nearest.count, order.end(), nearer);
+    order.resize(static_cast<std::size_t>(nearest.count));
+    return order;
+  }
+
+  std::vector<int> operator()(const Patch& patch) const {
+    if (!(patch.distance >= 0)) fail("a distance of " + std::to_string(patch.distance));
+    if (nodes_.boundary_edges.empty()) fail("a patch, and the boundary has no edges");
+    const std::vector<double> distances = distances_from(nearest_on_boundary(patch.point), patch.distance);
+    std::vector<int> chosen;
+    for (std::size_t n = 0; n < distances.size(); ++n)
+      if (distances[n] <= patch.distance) chosen.push_back(static_cast<int>(n));
+    return chosen;
+  }
+
+  [[noreturn]] void fail(const std::string& what) const { throw Error(name_ + ": " + what); }
+
+ private:
+  template <class Inside>
+  std::vector<int> where(const Inside& inside) const {
+    std::vector<int> chosen;
+    for (int n = 0; n < nodes_.count(); ++n)
+      if (inside(nodes_.at(n))) chosen.push_back(n);
+    return chosen;
+  }
+
+  double distance(const Point& a, const Point& b) const {
+    double sum = 0;
+    for (int i = 0; i < nodes_.dim; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(sum);
+  }
+
+  void require_positive(double value, const char* what) const {
+    if (!(value > 0)) fail(std::string("a ") + what + " of " + std::to_string(value) + ", must be positive");
+  }
+
+  int nearest_on_boundary(const Point& point) const {
+    std::pair<double, int> best{infinity, -1};
+    for (const auto& edge : nodes_.boundary_edges)
+      for (const int n : edge) best = std::min(best, std::pair(distance(nodes_.at(n), point), n));
+    if (best.second < 0) fail("a point that is not finite");
+    return best.second;
+  }
+
+  // Dijkstra's algorithm, as far as `limit`.
+  std::vector<double> distances_from(int start, double limit) const {
+    const std::vector<std::vector<int>> neighbours = boundary_neighbours();
+    std::vector<double> distances(static_cast<std::size_t>(nodes_.count()), infinity);
+    std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> front;
+    distances[static_cast<std::size_t>(start)] = 0;
+    front.emplace(0.0, start);
+    while (!front.empty()) {
+      const auto [so_far, node] = front.top();
+      front.pop();
+      if (so_far > distances[static_cast<std::size_t>(node)] || so_far > limit) continue;
+      for (const int next : neighbours[static_cast<std::size_t>(node)]) {
+        const double longer = so_far + distance(nodes_.at(node), nodes_.at(next));
+        if (longer >= distances[static_cast<std::size_t>(next)]) continue;
+        distances[static_cast<std::size_t>(next)] = longer;
+        front.emplace(longer, next);
+      }
+    }
+    return distances;
+  }
+
+  std::vector<std::vector<int>> boundary_neighbours() const {
+    std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(nodes_.count()));
+    for (const auto& [a, b] : nodes_.boundary_edges) {
+      neighbours[static_cast<std::size_t>(a)].push_back(b);
+      neighbours[static_cast<std::size_t>(b)].push_back(a);
+    }
+    return neighbours;
+  }
+
+  const Nodes& nodes_;
+  const std::string& name_;
+};
+
+}  // namespace
+
+std::vector<int> select(const Selection& selection, const Nodes& nodes, const std::string& name) {
+  const Selector selector(nodes, name);
+  std::vector<int> chosen = std::visit(selector, selection);
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  if (chosen.empty()) selector.fail("selects no vertex");
+  return chosen;
+}
+
+}  // namespace isostretch::handles

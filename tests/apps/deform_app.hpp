@@ -1,0 +1,36 @@
+#pragma once
+
+#include "process.hpp"
+#include "scratch.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace isostretch::test {
+
+// isostretch-deform with these arguments.
+inline Outcome deform(std::vector<std::string> arguments, const std::function<void(int)>& meanwhile = {}) {
+  arguments.insert(arguments.begin(), ISOSTRETCH_DEFORM);
+  return run(arguments, meanwhile);
+}
+
+// The end of a bar of tets turned about its axis, the other held.
+inline nlohmann::ordered_json twisted_bar(double degrees, int frames) {
+  return {{"mesh", {{"bar", {{"cells", {8, 2, 2}}, {"size", {4, 1, 1}}}}}},
+          {"energy", "symmetric_dirichlet"},
+          {"handles",
+           {{{"name", "left"}, {"select", {{"slab", {{"axis", "x"}, {"end", "min"}, {"fraction", 0.05}}}}}},
+            {{"name", "right"},
+             {"select", {{"slab", {{"axis", "x"}, {"end", "max"}, {"fraction", 0.05}}}}},
+             {"rotate", {{"axis", {1, 0, 0}}, {"degrees", degrees}}}}}},
+          {"frames", frames}};
+}
+
+inline std::string write_scene(const Scratch& scratch, const nlohmann::ordered_json& scene,
+                               const std::string& name = "scene.json") {
+  return scratch.write(name, scene.dump(2));
+}
+
+}  // namespace isostretch::test

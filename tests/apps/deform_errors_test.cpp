@@ -1,0 +1,327 @@
+// What isostretch-deform says of input it cannot use, and its exit codes.
+#include "deform_app.hpp"
+
+#include <isostretch/mesh/generators.hpp>
+#include <isostretch/mesh/io.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+using namespace isostretch;
+using namespace isostretch::test;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+// The app ends with that code, says why in one line that has these words, and leaves the folder as it was.
+void check_failure(const Scratch& scratch, const std::vector<std::string>& arguments, int code,
+                   const std::vector<std::string>& words) {
+  const auto before = scratch.contents();
+  const Outcome run = deform(arguments);
+  CAPTURE(run.err);
+  CHECK(run.code == code);
+  CHECK(run.out.empty());
+  CHECK(run.err.rfind("error: ", 0) == 0);
+  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
+  for (const std::string& word : words) CHECK_MESSAGE(run.err.find(word) != std::string::npos, word);
+  CHECK(scratch.contents() == before);
+}
+
+void check_scene(const std::function<void(Json&)>& change, const std::vector<std::string>& words) {
+  const Scratch scratch;
+  Json scene = twisted_bar(30, 2);
+  change(scene);
+  std::vector<std::string> all{"scene.json: "};
+  all.insert(all.end(), words.begin(), words.end());
+  check_failure(scratch, {write_scene(scratch, scene), "-o", scratch.path("out")}, 3, all);
+}
+
+}  // namespace
+
+TEST_CASE("deform: a wrong scene is exit code 3, with the path of the key") {
+  check_scene([](Json& s) { s["handels"] = 1; }, {"unknown key 'handels'", "handles"});
+  check_scene([](Json& s) { s.erase("mesh"); }, {"'mesh' is missing"});
+  check_scene([](Json& s) { s["mesh"] = 3; }, {"mesh: must be an object"});
+  check_scene([](Json& s) { s["mesh"]["bar"]["cells"] = {4, 0, 1}; }, {"mesh.bar.cells[1]: "});
+  check_scene([](Json& s) { s["mesh"]["bar"]["element"] = "prism"; }, {"mesh.bar.element: ", "hex"});
+  check_scene([](Json& s) { s["mesh"]["bar"]["element"] = "quad"; }, {"mesh.bar.element: ", "2D"});
+  check_scene([](Json& s) { s["order"] = 3; }, {"order: "});
+  check_scene([](Json& s) { s["energy"] = "rubber"; }, {"energy: unknown energy 'rubber'", "arap"});
+  check_scene([](Json& s) { s["energy"] = "mips_2d"; }, {"energy: ", "3D"});
+  check_scene(
+      [](Json& s) {
+        s["energy"] = {{"name", "arap"}, {"parameters", {{"mu", 1}}}};
+      },
+      {"energy: ", "mu"});
+  check_scene(
+      [](Json& s) {
+        s["energy"] = {{"name", "hencky"}, {"parameters", {{"mu", "a"}}}};
+      },
+      {"energy.parameters.mu: "});
+  check_scene(
+      [](Json& s) {
+        s["material"] = {{"young", 1}, {"poisson", 0.3}};
+      },
+      {"material: ", "symmetric_dirichlet", "neo_hookean_log"});
+  check_scene(
+      [](Json& s) {
+        s["energy"] = "hencky";
+        s["material"] = {{"young", 1}, {"poisson", 0.5}};
+      },
+      {"material: poisson"});
+  check_scene(
+      [](Json& s) {
+        s["energy"] = "hencky";
+        s["material"] = {{"young", 1}, {"lambda", 0.5}};
+      },
+      {"material: give"});
+  check_scene(
+      [](Json& s) {
+        s["regions"] = {{{"elements", {99999}}, {"energy", "arap"}}};
+      },
+      {"regions[0].elements: ", "99999"});
+  check_scene([](Json& s) { s["regions"] = {{{"select", "all"}}}; }, {"regions[0]: "});
+  check_scene([](Json& s) { s["handles"][1]["select"]["slab"]["axis"] = "w"; },
+              {"handles[1].select.slab.axis: "});
+  check_scene(
+      [](Json& s) {
+        s["handles"][1]["select"] = {{"sphere", {{"center", {9, 9, 9}}, {"radius", 1}}}};
+      },
+      {"handles[1].select: selects no vertex"});
+  check_scene(
+      [](Json& s) {
+        s["handles"][1]["select"] = {{"vertices", {1, 500}}};
+      },
+      {"handles[1].select: ", "500"});
+  check_scene([](Json& s) { s["handles"][1]["rotate"]["axis"] = {0, 0, 0}; }, {"handles[1].rotate.axis: "});
+  check_scene(
+      [](Json& s) {
+        s["handles"][1]["rotate"]["axis"] = {0, 1};
+      },
+      {"handles[1].rotate.axis: ", "3 numbers"});
+  check_scene([](Json& s) { s["handles"][1]["rotate"].erase("degrees"); },
+              {"handles[1].rotate: ", "degrees"});
+  check_scene([](Json& s) { s["handles"][1]["scale"] = -1; }, {"handles[1].scale: "});
+  check_scene([](Json& s) { s["handles"][1]["soft"] = 0; }, {"handles[1].soft: "});
+  check_scene([](Json& s) { s["handles"][1]["name"] = "left"; }, {"handles[1]: ", "'left'"});
+  check_scene(
+      [](Json& s) {
+        s["handles"][0]["keyframes"] = {{{"time", 1}}, {{"time", 1}}};
+      },
+      {"handles[0].keyframes[1].time: "});
+  check_scene([](Json& s) { s["handles"][1]["keyframes"] = {{{"time", 1}}}; }, {"handles[1]: give either"});
+  check_scene([](Json& s) { s["handles"] = Json::array(); }, {"handles: "});
+  check_scene([](Json& s) { s["frames"] = 0; }, {"frames: "});
+  check_scene([](Json& s) { s["guess"] = "good"; }, {"guess: ", "harmonic"});
+  check_scene([](Json& s) { s["solver"] = {{"projection", "sharp"}}; }, {"solver.projection: ", "adaptive"});
+  check_scene([](Json& s) { s["solver"] = {{"backend", "abacus"}}; }, {"solver.backend: ", "abacus"});
+  check_scene([](Json& s) { s["format"] = "gif"; }, {"format: ", "vtu"});
+  check_scene(
+      [](Json& s) {
+        s["format"] = "msh";
+        s["order"] = 2;
+      },
+      {"format: ", "quadratic"});
+}
+
+TEST_CASE("deform: what the command line cannot add to is said") {
+  const Scratch scratch;
+  Json scene = twisted_bar(30, 2);
+  scene["handles"] = "none";
+  check_failure(scratch, {write_scene(scratch, scene), "--handle", "all", "-o", scratch.path("out")}, 3,
+                {"scene.json", "handles"});
+  scene = twisted_bar(30, 2);
+  scene["energy"] = 7;
+  check_failure(scratch, {write_scene(scratch, scene), "-p", "mu=1", "-o", scratch.path("out")}, 3,
+                {"scene.json", "energy"});
+}
+
+TEST_CASE("deform: handles that disagree on a vertex are named with it") {
+  check_scene([](Json& s) { s["handles"][1]["select"] = "all"; },
+              {"vertex 0 ", "handles[0] (left)", "handles[1] (right)", "different places"});
+  check_scene(
+      [](Json& s) {
+        s["handles"][1].erase("rotate");
+        s["handles"][1]["select"] = "all";
+        s["handles"][1]["soft"] = 1;
+      },
+      {"vertex 0 ", "alike"});
+  const Scratch scratch;  // but where they agree, they may share
+  Json scene = twisted_bar(0, 1);
+  scene["handles"][1] = {{"name", "more"},
+                         {"select", {{"slab", {{"axis", "x"}, {"end", "min"}, {"fraction", 0.3}}}}}};
+  CHECK(deform({write_scene(scratch, scene), "-o", scratch.path("out"), "--no-picture"}).code == 0);
+}
+
+TEST_CASE("deform: files that cannot be used are exit code 3, with file, line and element") {
+  const Scratch scratch;
+  const std::string out = scratch.path("out/deep");
+  const std::vector<std::string> hold{"--handle", "vertices:0", "-o", out};
+  const auto with = [&](const std::string& input) {
+    std::vector<std::string> arguments{input};
+    arguments.insert(arguments.end(), hold.begin(), hold.end());
+    return arguments;
+  };
+  check_failure(scratch, with(scratch.path("no.msh")), 3, {"no.msh"});
+  check_failure(scratch, with(scratch.path("no.json")), 3, {"no.json"});
+  check_failure(scratch, with(scratch.write("bad.json", "{\n  \"mesh\": ,\n}")), 3, {"bad.json", "line 2"});
+  check_failure(scratch, with(scratch.write("garbage.mesh", "Vertices zebra")), 3, {"garbage.mesh"});
+  mesh::TetMesh bar = mesh::tet_bar(2, 1, 1);
+  std::swap(bar.tets(3, 0), bar.tets(3, 1));
+  mesh::write_tets(scratch.path("inverted.mesh"), bar);
+  check_failure(scratch, with(scratch.path("inverted.mesh")), 3, {"inverted.mesh", "tet 3"});
+  bar = mesh::tet_bar(2, 1, 1);
+  bar.tets(5, 3) = bar.tets(5, 2);
+  mesh::write_tets(scratch.path("degenerate.mesh"), bar);
+  check_failure(scratch, with(scratch.path("degenerate.mesh")), 3, {"degenerate.mesh", "tet 5"});
+  mesh::write_obj(scratch.path("ball.obj"), mesh::icosphere(1));
+  check_failure(scratch, with(scratch.path("ball.obj")), 3, {"ball.obj", "z = 0", "vertex"});
+  mesh::write_tets(scratch.path("bar.msh"), mesh::tet_bar(2, 1, 1));
+  check_failure(scratch, {scratch.path("bar.msh"), "--handle", "all", "-o", out, "--restart"}, 3,
+                {"restart.json"});
+}
+
+TEST_CASE("deform: tets that are all numbered the other way round are turned, and said so") {
+  const Scratch scratch;
+  mesh::TetMesh bar = mesh::tet_bar(2, 1, 1);
+  bar.tets.col(0).swap(bar.tets.col(1));
+  mesh::write_tets(scratch.path("bar.mesh"), bar);
+  const Outcome run = deform({scratch.path("bar.mesh"), "--handle", "slab:x,min,0.1", "--frames", "1", "-o",
+                              scratch.path("out"), "--no-picture"});
+  CHECK(run.code == 0);
+  CHECK(run.err.find("turned") != std::string::npos);
+}
+
+TEST_CASE("deform: components without a handle are warned of and stay") {
+  const Scratch scratch;
+  const mesh::TetMesh one = mesh::tet_bar(1, 1, 1);
+  mesh::TetMesh two;
+  two.vertices.resize(16, 3);
+  two.vertices << one.vertices, one.vertices.array() + 3;
+  two.tets.resize(12, 4);
+  two.tets << one.tets, one.tets.array() + 8;
+  mesh::write_tets(scratch.path("two.mesh"), two);
+  const Outcome run = deform({scratch.path("two.mesh"), "--handle", "vertices:0,1,2;translate=0,0,1",
+                              "--frames", "1", "--format", "msh", "-o", scratch.path("out")});
+  CHECK_MESSAGE(run.code == 0, run.err);
+  CHECK(run.err.find("no handle") != std::string::npos);
+  CHECK(run.err.find("vertex 8") != std::string::npos);
+  const mesh::Points3 last = mesh::read_tets(scratch.path("out/frame_0001.msh")).vertices;
+  CHECK((last - two.vertices).bottomRows(8).cwiseAbs().maxCoeff() < 1e-9);
+}
+
+TEST_CASE("deform: wrong command lines are exit code 2") {
+  const Scratch scratch;
+  mesh::write_tets(scratch.path("bar.msh"), mesh::tet_bar(2, 1, 1));
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{}, "--handle"},
+      {{"--handle", "half"}, "slab"},
+      {{"--handle", "slab:x,min"}, "slab:AXIS"},
+      {{"--handle", "slab:x,min,wide"}, "wide"},
+      {{"--handle", "slab:q,min,0.1"}, "handles[0].select.slab.axis"},
+      {{"--handle", "sphere:1,2"}, "sphere"},
+      {{"--handle", "vertices:1,-2"}, "-2"},
+      {{"--handle", "all;spin=3"}, "rotate"},
+      {{"--handle", "all;scale"}, "key=value"},
+      {{"--handle", "all;soft=1;soft=2"}, "twice"},
+      {{"--handle", "all;rotate=90"}, "handles[0].rotate"},
+      {{"--handle", "all;rotate=0,0,0:9"}, "handles[0].rotate.axis"},
+      {{"--handle", "vertices:77"}, "77"},
+      {{"--handle", "all", "-e", "rubber"}, "rubber"},
+      {{"--handle", "all", "-p", "mu"}, "name=value"},
+      {{"--handle", "all", "-p", "mu=1"}, "mu"},
+      {{"--handle", "all", "--young", "1"}, "--poisson"},
+      {{"--handle", "all", "--young", "1", "--poisson", "0.3"}, "material"},
+      {{"--handle", "all", "--frames", "0"}, "0"},
+      {{"--handle", "all", "--guess", "good"}, "harmonic"},
+      {{"--handle", "all", "--format", "gif"}, "vtu"},
+      {{"--handle", "all", "--projection", "sharp"}, "sharp"},
+      {{"--handle", "all", "--solver", "abacus"}, "abacus"},
+      {{"--handle", "all", "--order", "3"}, "3"},
+      {{"--no-such-option"}, "--no-such-option"},
+  };
+  for (const auto& [arguments, word] : wrong) {
+    std::vector<std::string> command = {scratch.path("bar.msh"), "-o", scratch.path("out")};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    check_failure(scratch, command, 2, {word});
+  }
+  check_failure(scratch, {"-o", scratch.path("out")}, 2, {"input"});
+  check_failure(scratch, {scratch.path("bar.msh")}, 2, {"--out"});
+}
+
+TEST_CASE("deform: output that cannot be written is exit code 4") {
+  const Scratch scratch;
+  const std::string scene = write_scene(scratch, twisted_bar(10, 1)),
+                    file = scratch.write("file", "in the way");
+  check_failure(scratch, {scene, "-o", file + "/below"}, 4, {"below"});
+  std::filesystem::create_directories(scratch.path("out/frame_0000.vtu"));
+  check_failure(scratch, {scene, "-o", scratch.path("out")}, 4, {"frame_0000.vtu"});
+}
+
+TEST_CASE("deform: frames that do not converge are exit code 5, the sequence goes on") {
+  const Scratch scratch;
+  const Outcome run = deform({write_scene(scratch, twisted_bar(60, 2)), "-o", scratch.path("out"),
+                              "--max-iterations", "1", "--no-picture"});
+  CHECK(run.code == 5);
+  CHECK(run.err.find("2 frame(s) did not converge") != std::string::npos);
+  CHECK(read_json(scratch.path("out/summary.json"))["frames"].size() == 3);
+}
+
+TEST_CASE("deform: the time limit ends the run with exit code 5, and --restart goes on") {
+  const Scratch scratch;
+  const std::string scene = write_scene(scratch, twisted_bar(60, 2)), out = scratch.path("out");
+  const Outcome run = deform({scene, "-o", out, "--time-limit", "1e-6", "--no-picture"});
+  CHECK(run.code == 5);
+  CHECK(run.err.find("frame 1") != std::string::npos);
+  CHECK(read_json(out + "/summary.json")["frames"][1]["reached"] == false);
+  CHECK(deform({scene, "-o", out, "--restart", "--no-picture"}).code == 0);
+}
+
+TEST_CASE("deform: inverted elements are exit code 6, with frame and element") {
+  const Scratch scratch;
+  Json scene = twisted_bar(0, 1);
+  scene["energy"] = "arap";
+  scene["handles"][1]["translate"] = {-6, 0, 0};  // through the other end
+  const Outcome run = deform({write_scene(scratch, scene), "-o", scratch.path("out")});
+  CHECK(run.code == 6);
+  CHECK(run.err.find("frame 1 has") != std::string::npos);
+  CHECK(run.err.find("tet ") != std::string::npos);
+  CHECK(read_json(scratch.path("out/summary.json"))["inverted"].get<int>() > 0);
+  CHECK(std::filesystem::exists(scratch.path("out/deform.png")));
+}
+
+TEST_CASE("deform: a motion that no flip-free shape can follow ends with exit code 6, named") {
+  const Scratch scratch;
+  Json scene = twisted_bar(0, 2);
+  scene["mesh"]["bar"]["cells"] = {2, 1, 1};
+  scene["handles"] = {
+      {{"name", "all"}, {"select", {{"slab", {{"axis", "x"}, {"end", "min"}, {"fraction", 0.6}}}}}},
+      {{"name", "end"},
+       {"select", {{"slab", {{"axis", "x"}, {"end", "max"}, {"fraction", 0.1}}}}},
+       {"translate", {-3, 0, 0}}}};
+  const Outcome run = deform({write_scene(scratch, scene), "-o", scratch.path("out"), "--no-picture"});
+  CHECK(run.code == 6);
+  CHECK(run.err.find("frame 2") != std::string::npos);
+  CHECK(run.err.find("tet ") != std::string::npos);
+  const auto summary = read_json(scratch.path("out/summary.json"));
+  CHECK(summary["outcome"] == "failed");
+  CHECK(std::filesystem::exists(scratch.path("out/frame_0001.vtu")));
+}
+
+TEST_CASE("deform: quiet prints nothing; help, version and energies need no input") {
+  const Scratch scratch;
+  const Outcome quiet =
+      deform({write_scene(scratch, twisted_bar(10, 1)), "-o", scratch.path("out"), "--quiet"});
+  CHECK(quiet.code == 0);
+  CHECK(quiet.out.empty());
+  CHECK(quiet.err.empty());
+  const Outcome help = deform({"--help"}), list = deform({"--list-energies"}),
+                version = deform({"--version"});
+  CHECK(help.out.find("Exit codes:") != std::string::npos);
+  CHECK(help.out.find("slab:AXIS") != std::string::npos);
+  CHECK(list.out.find("mooney_rivlin_3d") != std::string::npos);
+  CHECK(version.out.rfind("isostretch ", 0) == 0);
+}
