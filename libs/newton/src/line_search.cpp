@@ -34,6 +34,9 @@ LineSearchResult search_line(Objective& objective, const Vector& x, const Vector
   LineSearchResult result;
   const double limit = 1.0 / options.domain_fraction;
   double step = std::min(1.0, options.domain_fraction * objective.max_step(x, d, limit));
+  // Where even the longest step promises next to nothing, equality is all that can be asked of a shorter one.
+  constexpr double next_to_nothing = 1000;
+  const bool near_end = -step * slope < next_to_nothing * noise;
   for (int i = 0; i < options.max_backtracks; ++i, step *= options.backtracking_factor) {
     trial = x + step * d;
     const double value = objective.value(trial).value;
@@ -41,8 +44,9 @@ LineSearchResult search_line(Objective& objective, const Vector& x, const Vector
     if (i == 0) result.model_fit = (energy - value) / (-slope * step * (1 - 0.5 * step));
     const bool anything = options.line_search == LineSearch::none;
     const bool gained = value <= energy + options.armijo * step * slope;
-    // Near the end the promise drowns in the rounding of E: equality then is all that can be asked.
-    result.at_roundoff = -step * slope < 4 * noise;
+    const bool drowned = -step * slope < 4 * noise;
+    result.at_roundoff = near_end && drowned;
+    if (drowned && !near_end && !anything) return result;
     if (std::isfinite(value) && (anything || gained || (result.at_roundoff && value <= energy + noise))) {
       result.accepted = true;
       result.step = step;

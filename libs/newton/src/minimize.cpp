@@ -167,8 +167,9 @@ class Minimizer {
 
   // Energy of moving every node to and fro in its last digits.
   double rounding_of_positions() const {
-    constexpr double last_digits = 4e-15;
-    const double length = last_digits * bounding_box_diagonal(x_, objective_.dim());
+    constexpr double last_digits = 4e-15, epsilon = 2.2e-16;
+    const double length =
+        last_digits * bounding_box_diagonal(x_, objective_.dim()) + epsilon * x_.cwiseAbs().maxCoeff();
     return matrix_.size * typical_stiffness_ * length * length;
   }
 
@@ -235,6 +236,7 @@ class Minimizer {
         const ScopedTimer timer(summary_.seconds.solve);
         result = solver_->solve_columns(right.data(), solution.data(), 1);
       }
+      solved_ = static_cast<bool>(result);
       if (result || result.status == sparse::SolveStatus::not_converged) break;
       ++summary_.failed_factorizations;
       const bool indefinite = result.status == sparse::SolveStatus::not_positive_definite;
@@ -258,8 +260,8 @@ class Minimizer {
     row.filter_strength = strength_of(filter_);
     row.points_filtered = points_filtered_;
     if (!(slope < 0)) return end(Status::failed_line_search, "the Newton direction does not descend");
-    if (confirm_scaled_ && promises_little(row.decrement)) return end_scaled();
-    if (options_.decrement_tolerance > 0 && row.decrement <= options_.decrement_tolerance)
+    if (confirm_scaled_ && solved_ && promises_little(row.decrement)) return end_scaled();
+    if (options_.decrement_tolerance > 0 && solved_ && row.decrement <= options_.decrement_tolerance)
       return end(Status::converged_decrement, "the Newton decrement is within decrement_tolerance");
     LineSearchResult search;
     {
@@ -279,7 +281,8 @@ class Minimizer {
     const double before = summary_.energy, gradient_before = summary_.gradient_inf_norm;
     policy_.step_taken(search.step, search.model_fit);
     const bool full_step = search.step > 0.5 && search.step <= 1;
-    last_decrement_ = exact_model_ && full_step ? row.decrement : std::numeric_limits<double>::infinity();
+    last_decrement_ =
+        exact_model_ && solved_ && full_step ? row.decrement : std::numeric_limits<double>::infinity();
     filter_ = policy_.first();
     previous_.swap(x_);
     x_.swap(trial_);
@@ -342,6 +345,7 @@ class Minimizer {
   // x_.
   double last_decrement_ = std::numeric_limits<double>::infinity();
   bool confirm_scaled_ = false;  // the gradient has passed the scaled test, the decrement has yet to
+  bool solved_ = false;  // the last linear system, as accurately as wanted: its decrement can be trusted
   double last_relative_shift_ = 0;
   std::size_t points_filtered_ = 0;
 };

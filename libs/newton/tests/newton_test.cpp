@@ -329,3 +329,43 @@ TEST_CASE("the published disks: E*, no flips, and the promised iterations, clamp
     }
   }
 }
+
+namespace {
+
+// 1 + |x|^2 / 2 with a gradient of the wrong sign: a user's mistake.
+class WrongGradient final : public newton::Term {
+ public:
+  void add_to(assembly::PatternBuilder&) const override {}
+  void bind(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
+  assembly::Evaluation value(const Vector& x) override {
+    assembly::Evaluation result;
+    result.value = 1 + 0.5 * x.squaredNorm();
+    return result;
+  }
+  assembly::Evaluation differentiate(const Vector& x, const projection::FilterOptions&, Vector& gradient,
+                                     bool) override {
+    gradient -= x;
+    return value(x);
+  }
+  void add_hessian(double* values) const override {
+    const int* positions = pattern_->positions(pattern_->block(0, 0));
+    values[positions[0]] += 1;
+    values[positions[3]] += 1;
+  }
+
+ private:
+  const assembly::HessianPattern* pattern_ = nullptr;
+};
+
+}  // namespace
+
+TEST_CASE("a line search that fails far from the end is a failure, not convergence by rounding") {
+  newton::Objective objective(2, 1);
+  objective.add<WrongGradient>();
+  Vector x(2);
+  x << 3, 4;
+  const auto summary = newton::minimize(objective, x);
+  CHECK(summary.status == Status::failed_line_search);
+  CHECK_FALSE(summary.converged());
+  CHECK(x[0] == 3);
+}

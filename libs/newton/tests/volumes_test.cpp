@@ -314,3 +314,23 @@ TEST_CASE("the near-incompressible scenarios: iterations of the published filter
   CHECK(iterations(Projection::clamp, 1) <= 51);
   CHECK(iterations(Projection::adaptive, 64) <= 29);
 }
+
+TEST_CASE("a linear solve that was cut short proves no convergence") {
+  const auto excess = [](int limit) {
+    Bent bent;
+    auto objective = bent.objective(material("stable_neo_hookean", 1, 0.4999));
+    newton::Options options;
+    options.scaled_gradient_tolerance = 0;
+    options.decrement_tolerance = 1e-9;
+    options.max_iterations = 300;
+    options.solver.backend = sparse::Backend::pcg;
+    options.solver.pcg_preconditioner = sparse::Preconditioner::incomplete_cholesky;
+    options.solver.pcg_max_iterations = limit;
+    const auto summary = newton::minimize(objective, bent.x, options);
+    CAPTURE(summary.full_report());
+    if (summary.status == newton::Status::converged_decrement)
+      CHECK(summary.energy - newton::minimize(objective, bent.x, tight()).energy <= 1e-8);
+  };
+  excess(10);
+  excess(0);
+}

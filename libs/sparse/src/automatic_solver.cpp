@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace isostretch::sparse {
@@ -35,8 +36,8 @@ class AutomaticSolver final : public Solver {
 
  private:
   FactorResult do_analyze(const SymmetricMatrix& A) override {
+    may_give_up_ = true;
     const int largest = is_available(Backend::cholmod_supernodal) ? largest_for_cholmod : largest_for_eigen;
-    trust_ = Trust::full;
     if (A.size > largest && is_spatial(A)) return iterative(A);
     return direct(A, options_.automatic_max_flops);
   }
@@ -74,11 +75,7 @@ class AutomaticSolver final : public Solver {
   }
 
   FactorResult do_factorize(const SymmetricMatrix& A) override {
-    if (trust_ == Trust::lost) {
-      trust_ = Trust::irrelevant;
-      if (const FactorResult analysis = direct(A, std::numeric_limits<double>::infinity()); !analysis)
-        return analysis;
-    }
+    if (chosen_->statistics().backend == Backend::pcg && may_give_up_) matrix_ = A;
     const FactorResult result = chosen_->factorize(A);
     take_statistics();
     return result;
@@ -87,7 +84,8 @@ class AutomaticSolver final : public Solver {
   SolveResult do_solve(const double* b, double* x, int columns) override {
     const SolveResult result = chosen_->solve_columns(b, x, columns);
     take_statistics();
-    if (trust_ == Trust::full && result.status == SolveStatus::not_converged) trust_ = Trust::lost;
+    if (result.status == SolveStatus::not_converged && may_give_up_ && factorize_instead())
+      return do_solve(b, x, columns);
     return result;
   }
 
@@ -104,9 +102,17 @@ class AutomaticSolver final : public Solver {
     if (chosen_) chosen_->set_coordinates(positions, dim, nodes, axis);
   }
 
-  // In pcg: a solve that does not converge gives way to a factorization of the matrices that follow, if that
-  // fits into memory; tried once a pattern.
-  enum class Trust { full, lost, irrelevant };
+  // Where pcg has not converged: whether there is a factor now instead, for this matrix and those that
+  // follow. Tried once a pattern.
+  bool factorize_instead() {
+    may_give_up_ = false;
+    const SymmetricMatrix A = std::move(matrix_);
+    matrix_ = {};
+    if (!direct(A, std::numeric_limits<double>::infinity())) return false;
+    const FactorResult result = chosen_->factorize(A);
+    take_statistics();
+    return result && statistics_.backend != Backend::pcg;
+  }
 
   int nodes() const { return static_cast<int>(positions_.size()) / dim_; }
 
@@ -126,7 +132,8 @@ class AutomaticSolver final : public Solver {
   }
 
   Options options_;
-  Trust trust_ = Trust::full;
+  SymmetricMatrix matrix_;    // of pcg, as long as it may be given up
+  bool may_give_up_ = false;  // pcg has not failed yet on this pattern
   std::unique_ptr<Solver> chosen_;
   Statistics counted_;  // of chosen_, so far
   double tolerance_ = 0;

@@ -63,6 +63,7 @@ class PcgSolver final : public Solver {
     method_->report(statistics_);
     made_ = fresh_ = static_cast<bool>(result);
     renew_ = false;
+    last_renewal_ = result;
     return result;
   }
 
@@ -99,6 +100,12 @@ class PcgSolver final : public Solver {
   }
 
   SolveResult iterate() {
+    // A renewal may have failed in an earlier solve: there is no preconditioner then.
+    if (!made_) {
+      SolveResult none;
+      none.relative_residual = 1;
+      return stopped(none, status_of(last_renewal_), last_renewal_.message.c_str());
+    }
     const int limit = options_.pcg_max_iterations > 0 ? options_.pcg_max_iterations : 10 * unknowns() + 100;
     SolveResult result;
     const double b_norm = std::sqrt(dot(b_, b_));
@@ -175,6 +182,7 @@ class PcgSolver final : public Solver {
   Coordinates coordinates_;
   NodeSystem system_;
   std::unique_ptr<PreconditionerMethod> method_;
+  FactorResult last_renewal_;
   bool made_ = false;   // there is a preconditioner
   bool fresh_ = false;  // made for the matrix at hand
   bool renew_ = false;  // make one for the next matrix

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "common/solver_flags.hpp"
+#include "options.hpp"
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace isostretch::app::interpolate {
+
+// The options of this app: declared to CLI11, then read with everything that CLI11 cannot check itself.
+class CommandLine {
+ public:
+  void declare(CLI::App& cli);
+
+  // Throws Failure with ExitCode::command_line naming the option at fault.
+  Options options() const;
+
+ private:
+  void declare_files(CLI::App& cli);
+  void declare_energy(CLI::App& cli);
+
+  Options defaults_;
+  std::string first_, second_, out_;
+  std::string energy_ = defaults_.energy;
+  std::string guess_ = name_of(guess_names, defaults_.guess);
+  std::string format_ = name_of(frame_format_names, defaults_.format);
+  int frames_ = defaults_.frames;
+  std::vector<std::string> parameters_;
+  SolverFlags solver_flags_;
+  bool no_pictures_ = false;
+};
+
+}  // namespace isostretch::app::interpolate

@@ -1,0 +1,105 @@
+// Two plots over time: the energies, and the smallest determinants.
+#include "common/figures/axis.hpp"
+#include "common/figures/canvas.hpp"
+#include "common/formatted.hpp"
+#include "report.hpp"
+
+#include <algorithm>
+
+namespace isostretch::app::interpolate {
+namespace {
+
+using figures::Axis;
+using figures::Box;
+using figures::Canvas;
+using figures::Color;
+using figures::Point;
+
+constexpr int width = 1600, height = 620;
+constexpr figures::LineStyle grid_style{{0.5, 0.5, 0.5}, 0.6, 0.35};
+constexpr Color first_color{0.10, 0.36, 0.65}, second_color{0.80, 0.33, 0.05}, both_color{0.2, 0.2, 0.2};
+
+struct Curve {
+  std::string name;
+  Color color;
+  const char* key;  // in "frames"
+};
+
+struct Plot {
+  std::string title;
+  std::vector<Curve> curves;
+};
+
+double largest(const Result& r, const std::vector<Curve>& curves) {
+  double most = 0;
+  for (const Json& frame : r.frames)
+    for (const Curve& curve : curves) most = std::max(most, frame[curve.key].get<double>());
+  return most;
+}
+
+void draw_grid(Canvas& canvas, const Box& box, const Axis& x, const Axis& y) {
+  for (const figures::Tick& tick : x.ticks) {
+    const double at = box.x + box.width * x.position(tick.value);
+    canvas.line({at, box.y}, {at, box.bottom()}, grid_style);
+    canvas.text({at, box.bottom() + 15}, tick.label, {.across = figures::Align::middle});
+  }
+  for (const figures::Tick& tick : y.ticks) {
+    const double at = box.bottom() - box.height * y.position(tick.value);
+    canvas.line({box.x, at}, {box.right(), at}, grid_style);
+    canvas.text({box.x - 8, at}, tick.label, {.across = figures::Align::end});
+  }
+  canvas.frame(box, {{0.3, 0.3, 0.3}, 0.8, 1});
+}
+
+// What lies beyond an axis, an inverted element's determinant, is drawn on its edge.
+void draw_curve(Canvas& canvas, const Box& box, const Axis& x, const Axis& y, const Result& r,
+                const Curve& curve) {
+  std::vector<Point> points;
+  for (const Json& frame : r.frames) {
+    const double value = std::clamp(y.position(frame[curve.key].get<double>()), 0.0, 1.0);
+    points.push_back(
+        {box.x + box.width * x.position(frame["time"].get<double>()), box.bottom() - box.height * value});
+  }
+  canvas.polyline(points, {curve.color, 2, 1});
+  if (points.size() <= 60)
+    for (const Point& p : points) canvas.dot(p, 3, curve.color);
+}
+
+void draw_legend(Canvas& canvas, Point at, const std::vector<Curve>& curves) {
+  for (const Curve& curve : curves) {
+    canvas.line(at, {at.x + 24, at.y}, {curve.color, 3, 1});
+    canvas.text({at.x + 32, at.y}, curve.name, {.size = 14, .color = curve.color});
+    at.x += 32 + canvas.text_width(curve.name, {.size = 14}) + 28;
+  }
+}
+
+void draw_plot(Canvas& canvas, const Box& box, const Result& r, const Plot& plot) {
+  const double most = largest(r, plot.curves);
+  const Axis x = figures::linear_axis(1, 6), y = figures::linear_axis(most > 1e-200 ? most : 1, 6);
+  canvas.text({box.x, box.y - 48}, plot.title, {.size = 16, .bold = true});
+  draw_legend(canvas, {box.x, box.y - 20}, plot.curves);
+  draw_grid(canvas, box, x, y);
+  for (const Curve& curve : plot.curves) draw_curve(canvas, box, x, y, r, curve);
+  canvas.text({box.x + 0.5 * box.width, box.bottom() + 38}, "t",
+              {.size = 14, .across = figures::Align::middle});
+}
+
+}  // namespace
+
+std::string draw_energies(const Result& r) {
+  constexpr double left = 84, gap = 110, top = 84, foot = 64, right = 32;
+  const double plot_width = (width - left - gap - right) / 2, plot_height = height - top - foot;
+  Canvas canvas(width, height);
+  draw_plot(canvas, {left, top, plot_width, plot_height}, r,
+            {"Energy above rest, " + r.energy.name(),
+             {{"ψ₁, from the first pose", first_color, "psi_1"},
+              {"ψ₂, from the second", second_color, "psi_2"},
+              {"(1 − t) ψ₁ + t ψ₂", both_color, "energy"}}});
+  draw_plot(canvas, {left + plot_width + gap, top, plot_width, plot_height}, r,
+            {"Smallest det F of a frame",
+             {{"against the first pose", first_color, "min_det_F_1"},
+              {"against the second", second_color, "min_det_F_2"}}});
+  return canvas.png();
+}
+
+}  // namespace isostretch::app::interpolate

@@ -1,0 +1,168 @@
+#include "interpolate.hpp"
+
+#include "common/formatted.hpp"
+#include "common/interrupt.hpp"
+#include "common/terminal.hpp"
+#include "report.hpp"
+
+#include <isostretch/core/timer.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace isostretch::app::interpolate {
+namespace {
+
+template <class Work>
+auto timed(double& seconds, Work&& work) {
+  const ScopedTimer timer(seconds);
+  return work();
+}
+
+// Frames to draw side by side, evenly over the way.
+bool is_drawn(int frame, int frames) {
+  constexpr int intervals = 4;
+  for (int i = 0; i <= intervals; ++i)
+    if (frame == (2 * i * frames + intervals) / (2 * intervals)) return true;
+  return false;
+}
+
+class Job {
+ public:
+  Job(const CommandLine& command_line, const CommonOptions& common)
+      : options_(command_line.options()),
+        common_(common),
+        poses_(timed(seconds_.read,
+                     [&] {
+                       return failing_with(ExitCode::input,
+                                           [&] { return read_poses(options_.first, options_.second); });
+                     })),
+        energy_(failing_with(ExitCode::command_line,
+                             [&] {
+                               require_holds(options_.format, poses_.first);
+                               return choose_shape_energy(options_, poses_.first.dim);
+                             })),
+        strains_{Strain(poses_.first), Strain(poses_.second)},
+        interpolator_(options_, poses_, energy_),
+        result_{options_, poses_, energy_} {
+    if (!energy_.has_barrier())
+      warn_of("'" + energy_.name() + "' has no barrier: frames may have inverted elements");
+  }
+
+  ExitCode run() {
+    OutputFolder folder(options_.out);
+    timed(seconds_.solve, [&] { make_frames(); });
+    timed(seconds_.write, [&] { write_frames(folder); });
+    if (jumps_at_the_end(result_))
+      warn_of(
+          "the last step is much longer than the others: the way leads to another minimum than the second "
+          "pose");
+    write_reports(folder);
+    return conclude(folder);
+  }
+
+ private:
+  void warn_of(std::string text) {
+    warn(text);
+    result_.warnings.push_back(std::move(text));
+  }
+
+  void make_frames() {
+    for (int number = 0; !interpolator_.done(); ++number) {
+      if (interrupted() && number > 0) {
+        result_.outcome = Outcome::stopped;
+        result_.message = formatted("interrupted (Ctrl-C) before frame %d", number);
+        return;
+      }
+      frames_.push_back(interpolator_.next());
+      const Frame& frame = frames_.back();
+      const Strains strains{strains_[0].at(frame.settled), strains_[1].at(frame.settled)};
+      add_frame(result_, frame, strains, frame_name(number, options_.format));
+      if (frame.solved) notice(progress(frame, strains));
+      if (frame.complete()) continue;
+      result_.outcome = newton::failed(frame.summary.status) ? Outcome::failed : Outcome::stopped;
+      result_.message = formatted("frame %d: ", number) + frame.summary.message;
+      return;
+    }
+  }
+
+  // Only now is known how all of them lie.
+  void write_frames(OutputFolder& folder) {
+    for (const Frame& frame : frames_) {
+      const Vector positions = interpolator_.placed(frame);
+      const StrainField first = strains_[0].at(positions), second = strains_[1].at(positions);
+      folder.write_now(frame_name(frame.number, options_.format),
+                       format_frame(options_.format, poses_.first, positions,
+                                    {{"min_det_F_1", first.min_det},
+                                     {"min_det_F_2", second.min_det},
+                                     {"length_change_1", first.length_change},
+                                     {"length_change_2", second.length_change}}));
+      take_snapshot({frame.number, frame.time, positions});
+    }
+  }
+
+  // The last one stays only until there is a later one, unless it is among those to draw.
+  void take_snapshot(Snapshot shot) {
+    auto& shots = result_.snapshots;
+    if (!shots.empty() && !is_drawn(shots.back().number, options_.frames)) shots.pop_back();
+    shots.push_back(std::move(shot));
+  }
+
+  std::string progress(const Frame& frame, const Strains& strains) const {
+    return formatted("frame %d of %d: %s, %d iterations, min det F %.3g and %.3g, %.3f s", frame.number,
+                     options_.frames, std::string(newton::status_name(frame.summary.status)).c_str(),
+                     frame.summary.iterations, strains[0].smallest_det(), strains[1].smallest_det(),
+                     frame.seconds);
+  }
+
+  void write_reports(OutputFolder& folder) {
+    timed(seconds_.write, [&] {
+      if (options_.pictures) {
+        folder.add("interpolation.png", draw_frames(result_));
+        folder.add("energy.png", draw_energies(result_));
+      }
+      folder.add("trace.csv", result_.trace);
+      if (options_.format == FrameFormat::vtu) folder.add("interpolation.pvd", animation());
+    });
+    seconds_.total = timer_.seconds();
+    folder.add_json("summary.json", summary_json(result_, seconds_));
+    folder.commit();
+  }
+
+  std::string animation() const {
+    std::vector<std::pair<std::string, double>> files;
+    for (const Json& frame : result_.frames)
+      files.emplace_back(frame["file"].get<std::string>(), frame["time"].get<double>());
+    return pvd_text(files);
+  }
+
+  ExitCode conclude(const OutputFolder& folder) const {
+    print(verdict(result_) + "\n");
+    if (common_.verbose)
+      for (const auto& path : folder.paths()) print("wrote " + path.string() + "\n");
+    else
+      print(formatted("wrote %zu files to ", folder.paths().size()) + options_.out.string() + "\n");
+    const ExitCode code = exit_code(result_);
+    if (code != ExitCode::success) report_error(verdict(result_));
+    return code;
+  }
+
+  Timer timer_;
+  PhaseSeconds seconds_;
+  Options options_;
+  const CommonOptions& common_;
+  Poses poses_;
+  energies::AnyEnergy energy_;
+  std::array<Strain, 2> strains_;
+  Interpolator interpolator_;
+  std::vector<Frame> frames_;
+  Result result_;
+};
+
+}  // namespace
+
+ExitCode interpolate(const CommandLine& command_line, const CommonOptions& common) {
+  return Job(command_line, common).run();
+}
+
+}  // namespace isostretch::app::interpolate
