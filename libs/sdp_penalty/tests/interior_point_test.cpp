@@ -4,6 +4,8 @@
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/sdp_penalty/interior_point.hpp>
 
+#include "swirl.hpp"
+
 #include <doctest/doctest.h>
 #include <omp.h>
 
@@ -17,39 +19,9 @@
 using namespace isostretch;
 using sdp_penalty::Problem;
 using sdp_penalty::Status;
+using tests::swirl;
 
 namespace {
-
-const double pi = std::acos(-1.0);
-
-// A square whose boundary is held while a patch in the middle turns: ex-rotations fall off with the distance.
-Problem swirl(int n, double degrees) {
-  const mesh::SurfaceMesh grid = mesh::grid(n, n);
-  Problem problem;
-  const mesh::Points2 flat = grid.vertices.leftCols<2>();
-  problem.elements = assembly::elements_from(mesh::elements(flat, grid.triangles));
-  problem.weights = sdp_penalty::volume_weights(problem.elements);
-  const auto angle_at = [&](double x, double y) {
-    const double r = std::hypot(x - 0.5, y - 0.5);
-    return degrees * pi / 180 * std::clamp((0.5 - r) / 0.35, 0.0, 1.0);
-  };
-  for (int f = 0; f < grid.triangles.rows(); ++f) {
-    double x = 0, y = 0;
-    for (int k = 0; k < 3; ++k)
-      x += flat(grid.triangles(f, k), 0) / 3, y += flat(grid.triangles(f, k), 1) / 3;
-    const double c = std::cos(angle_at(x, y)), s = std::sin(angle_at(x, y));
-    problem.rotations.insert(problem.rotations.end(), {c, -s, s, c});
-  }
-  for (int v = 0; v < flat.rows(); ++v) {
-    const double x = flat(v, 0), y = flat(v, 1), r = std::hypot(x - 0.5, y - 0.5);
-    const bool boundary = std::min({x, y, 1 - x, 1 - y}) < 1e-9;
-    if (!boundary && r > 0.15) continue;
-    const double a = boundary ? 0.0 : degrees * pi / 180, c = std::cos(a), s = std::sin(a);
-    problem.targets.push_back(
-        {v, {0.5 + c * (x - 0.5) - s * (y - 0.5), 0.5 + s * (x - 0.5) + c * (y - 0.5)}});
-  }
-  return problem;
-}
 
 Problem bar_at_rest() {
   const mesh::TetMesh bar = mesh::tet_bar(4, 2, 2, 2, 1, 1);
@@ -138,7 +110,8 @@ TEST_CASE("random ex-rotations: a defined outcome, never a claim of success that
     Problem problem = swirl(8, 0);
     std::mt19937 generator(5);
     for (int e = 0; e < problem.element_count(); ++e) {
-      const double a = degrees * pi / 180 * (2.0 * static_cast<double>(generator()) / 4294967296.0 - 1);
+      const double a =
+          degrees * std::acos(-1.0) / 180 * (2.0 * static_cast<double>(generator()) / 4294967296.0 - 1);
       double* R = problem.rotations.data() + 4 * e;
       R[0] = R[3] = std::cos(a);
       R[2] = std::sin(a);
