@@ -78,8 +78,12 @@ Body finished(Body body, const mesh::ElementArrays& arrays) {
 
 // ---- kinds of bodies ----
 
-int degree_of(const BodySpec& spec, Shape shape) {
-  return spec.quadrature > 0 ? spec.quadrature : mesh::default_degree(shape);
+// With the quadrature asked for.
+template <class Mesh>
+Body finished(Body body, const Mesh& m, const BodySpec& spec) {
+  const int own = mesh::default_degree(body.shape), degree = spec.quadrature > 0 ? spec.quadrature : own;
+  if (degree < own) body.richer = assembly::elements_from(mesh::elements(m, own));
+  return finished(std::move(body), mesh::elements(m, degree));
 }
 
 void refuse_quadrature(const BodySpec& spec, const char* what) {
@@ -102,7 +106,7 @@ Body triangle_body(const mesh::Points2& vertices, const mesh::Triangles& triangl
     body.shape = Shape::quadratic_triangle;
     body.nodes = in_space(m.nodes);
     body.surface = flat_surface(body.nodes, m.triangles, body.shape);
-    return finished(std::move(body), mesh::elements(m, degree_of(spec, body.shape)));
+    return finished(std::move(body), m, spec);
   }
   refuse_quadrature(spec, "triangle");
   body.shape = Shape::triangle;
@@ -116,7 +120,7 @@ Body quad_body(const mesh::QuadMesh& m, const BodySpec& spec) {
   body.shape = Shape::quad;
   body.nodes = in_space(m.vertices);
   body.surface = flat_surface(body.nodes, m.quads, body.shape);
-  return finished(std::move(body), mesh::elements(m, degree_of(spec, body.shape)));
+  return finished(std::move(body), m, spec);
 }
 
 Body tet_body(const mesh::TetMesh& tets, const BodySpec& spec) {
@@ -126,7 +130,7 @@ Body tet_body(const mesh::TetMesh& tets, const BodySpec& spec) {
     body.shape = Shape::quadratic_tet;
     body.nodes = m.nodes;
     body.surface = mesh::boundary_surface(m);
-    return finished(std::move(body), mesh::elements(m, degree_of(spec, body.shape)));
+    return finished(std::move(body), m, spec);
   }
   refuse_quadrature(spec, "tet");
   body.shape = Shape::tet;
@@ -141,7 +145,7 @@ Body hex_body(const mesh::HexMesh& m, const BodySpec& spec) {
   body.shape = Shape::hex;
   body.nodes = m.vertices;
   body.surface = mesh::boundary_surface(m);
-  return finished(std::move(body), mesh::elements(m, degree_of(spec, body.shape)));
+  return finished(std::move(body), m, spec);
 }
 
 Body make_bar(const BarSpec& bar, BodySpec spec) {

@@ -33,11 +33,14 @@ struct Body {
   std::string name;  // of the file, or "bar"
   mesh::Shape shape = mesh::Shape::tet;
   int dim = 3;
-  mesh::Points3 nodes;                             // at rest; z = 0 in 2D
-  assembly::Elements elements;                     // at rest
-  mesh::BoundarySurface surface;                   // what is seen of it: outside, or everything in 2D
+  mesh::Points3 nodes;                       // at rest; z = 0 in 2D
+  assembly::Elements elements;               // at rest
+  std::optional<assembly::Elements> richer;  // with the shape's own quadrature, where that has more points
+  mesh::BoundarySurface surface;             // what is seen of it: outside, or everything in 2D
   std::vector<std::array<int, 2>> boundary_edges;  // of the surface, or of the outline in 2D; nodes
 
+  // Points enough that no deformation but a rigid one goes unseen.
+  const assembly::Elements& full_rank_elements() const { return richer ? *richer : elements; }
   Vector rest_positions() const;  // dim entries a node
   // Rows of three, z = 0 in 2D.
   mesh::Points3 points(const Vector& positions) const;

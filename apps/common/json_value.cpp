@@ -16,6 +16,25 @@ std::string without_number(const std::string& message) {
   return end == std::string::npos ? message : message.substr(end + 2);
 }
 
+// Deeper ones are no input of ours, and code that goes down into them would run out of stack.
+constexpr int deepest = 64;
+
+Json parsed(const std::string& text) {
+  const auto require_shallow = [](int depth, Json::parse_event_t, Json&) {
+    if (depth > deepest)
+      throw Error("lists and objects inside each other, more than " + std::to_string(deepest) + " deep");
+    return true;
+  };
+  return Json::parse(text, require_shallow, true, true);
+}
+
+// Of any value in a few words.
+std::string described(const Json& json) {
+  if (json.is_object()) return "an object of " + std::to_string(json.size());
+  if (json.is_array()) return "a list of " + std::to_string(json.size());
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 60);
+}
+
 }  // namespace
 
 Json read_json_file(const std::filesystem::path& file) {
@@ -24,9 +43,11 @@ Json read_json_file(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file) || !in || !(text << in.rdbuf()))
     throw Error(file.string() + ": cannot be read");
   try {
-    return Json::parse(text.str(), nullptr, true, true);
-  } catch (const Json::parse_error& error) {
+    return parsed(text.str());
+  } catch (const Json::exception& error) {  // wrong grammar, and numbers that no double can hold
     throw Error(file.string() + ": " + without_number(error.what()));
+  } catch (const Error& error) {
+    throw Error(file.string() + ": " + error.what());
   }
 }
 
@@ -35,7 +56,7 @@ void JsonValue::fail(const std::string& what) const {
 }
 
 void JsonValue::require_kind(bool is, const char* kind) const {
-  if (!is) fail(std::string("must be ") + kind + ", not " + json_->dump().substr(0, 60));
+  if (!is) fail(std::string("must be ") + kind + ", not " + described(*json_));
 }
 
 const JsonValue& JsonValue::only(const std::vector<std::string>& keys) const {

@@ -118,6 +118,7 @@ void CommandLine::add_energy(Json& scene) const {
 void CommandLine::add_handles(Json& scene) const {
   failing_with(ExitCode::command_line, [&] {
     for (const std::string& text : handles_) scene["handles"].push_back(handle_from_text(text));
+    if (has_scene_file()) return;  // what it lacks is said when its turn comes
     if (!scene.contains("handles")) throw Error("--handle: there must be one at least");
   });
 }

@@ -77,12 +77,16 @@ class Job {
         "%zu component(s) of the mesh have no handle and stay where they are, those of vertex", loose.size());
     for (std::size_t i = 0; i < std::min<std::size_t>(loose.size(), 5); ++i)
       text.append(i > 0 ? ", " : " ").append(std::to_string(loose[i]));
-    result_.warnings.push_back(text + (loose.size() > 5 ? ", ..." : ""));
-    warn(result_.warnings.back());
+    add_warning(text + (loose.size() > 5 ? ", ..." : ""));
+  }
+
+  void add_warning(const std::string& text) {
+    result_.warnings.push_back(text);
+    warn(text);
   }
 
   State restored() {
-    State state = failing_with(ExitCode::input, [&] { return read_state(options_.out, json_, body_); });
+    State state = failing_with(ExitCode::input, [&] { return read_state(options_.out, scene_, body_); });
     notice(formatted("going on after frame %d of %d", state.frame, scene_.frames));
     return state;
   }
@@ -101,7 +105,9 @@ class Job {
   }
 
   void make_frames(State& state, OutputFolder& folder) {
-    Stepper stepper(scene_, body_, rig_, problem_, options_.time_limit);
+    Stepper stepper(
+        scene_, body_, rig_, problem_, [this](const std::string& text) { add_warning(text); },
+        options_.time_limit);
     result_.positions = state.positions;
     result_.frames = state.frames;
     result_.trace = state.trace;

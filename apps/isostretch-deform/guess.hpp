@@ -4,24 +4,47 @@
 
 #include <isostretch/handles/spread.hpp>
 
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace isostretch::app::deform {
+
+using Warn = std::function<void(const std::string&)>;
 
 // Starts of minimisations; hard handles are in their places to the bit.
 class Guesser {
  public:
-  Guesser(const Scene& scene, const Body& body, const Rig& rig);
+  // A guess is only a guess: where the way of the handles cannot be spread as the scene says, it is spread in
+  // a simpler way or not at all, and `warn` is told so once.
+  Guesser(const Scene& scene, const Body& body, const Rig& rig, Warn warn);
 
   // `positions` solve the problem at time `from`. `again`: the guess of the whole step was outside the domain
   // of the energy, and the step is taken in parts, for which the rest shape is no start.
-  Vector guess(const Vector& positions, double from, double to, bool again) const;
+  Vector guess(const Vector& positions, double from, double to, bool again);
 
  private:
+  // One to spread displacements.
+  struct Way {
+    std::string name;
+    handles::SpreadKind kind;
+    sparse::Options solver;
+    std::optional<handles::Spreader> spreader = {};
+    bool hopeless = false, warned = false;
+  };
+
+  void choose_ways();
+  bool prepare(std::size_t way);
+  Vector spread(const Vector& displacement);
+  void warn_of(std::size_t way, const std::string& what);
+
+  const Body& body_;
   const Rig& rig_;
   Guess kind_;
   Vector rest_;
-  std::optional<handles::Spreader> spreader_;
+  Warn warn_;
+  std::vector<Way> ways_;  // the best first
 };
 
 }  // namespace isostretch::app::deform

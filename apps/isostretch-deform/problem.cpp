@@ -16,6 +16,7 @@ std::vector<int> selected_elements(const RegionSpec& spec, const Body& body, con
     if (chosen.empty()) throw Error(spec.path + ".select: no element has all its vertices in it");
     return chosen;
   }
+  if (spec.elements.empty()) throw Error(spec.path + ".elements: the region has no elements");
   const int count = body.elements.element_count();
   for (const int e : spec.elements)
     if (e < 0 || e >= count)

@@ -9,11 +9,26 @@
 namespace isostretch::app::deform {
 namespace {
 
-Handle resolved(const HandleSpec& spec, const handles::Nodes& nodes) {
+bool is_rest(const handles::Transform& t) {
+  return t.translation.isZero(0) && t.degrees == 0 && t.scale == 1;
+}
+
+// The motion, and before it the way from rest to where it begins.
+std::vector<handles::Keyframe> from_rest(const std::vector<handles::Keyframe>& keys, const Scene& scene) {
+  const handles::Keyframe& first = keys.front();
+  if (is_rest(first.transform)) return keys;
+  std::vector<handles::Keyframe> result{{scene.rest_time(), {}}};
+  result[0].transform.axis = first.transform.axis;
+  if (scene.start < first.time) result.push_back({scene.start, first.transform});
+  result.insert(result.end(), keys.begin(), keys.end());
+  return result;
+}
+
+Handle resolved(const HandleSpec& spec, const Scene& scene, const handles::Nodes& nodes) {
   std::vector<int> chosen = handles::select(spec.select, nodes, spec.path + ".select");
   const handles::Point center = spec.center.value_or(handles::center_of(chosen, nodes));
-  return {spec.path, spec.name, std::move(chosen), handles::Motion(spec.keyframes, center, spec.path),
-          spec.soft};
+  return {spec.path, spec.name, std::move(chosen),
+          handles::Motion(from_rest(spec.keyframes, scene), center, spec.path), spec.soft};
 }
 
 std::string called(const Handle& handle) {
@@ -23,7 +38,9 @@ std::string called(const Handle& handle) {
 }  // namespace
 
 Rig::Rig(const Scene& scene, const Body& body) : nodes_(body.selectable()) {
-  for (const HandleSpec& spec : scene.handles) handles_.push_back(resolved(spec, nodes_));
+  for (const HandleSpec& spec : scene.handles) handles_.push_back(resolved(spec, scene, nodes_));
+  for (const HandleSpec& spec : scene.handles)
+    comes_from_rest_ = comes_from_rest_ || !is_rest(spec.keyframes.front().transform);
   share_nodes(scene, 1e-12 * body.diagonal());
 }
 

@@ -25,6 +25,8 @@ class Rig {
   Rig(const Scene& scene, const Body& body);
 
   const std::vector<Handle>& handles() const { return handles_; }
+  // Some handle begins elsewhere than at rest: motions start at the scene's rest_time() then.
+  bool comes_from_rest() const { return comes_from_rest_; }
   std::vector<int> hard_nodes() const;
   std::vector<int> nodes() const;
 
@@ -43,6 +45,7 @@ class Rig {
 
   handles::Nodes nodes_;
   std::vector<Handle> handles_;
+  bool comes_from_rest_ = false;
 };
 
 // Components of the body that no handle holds, each by its smallest node.

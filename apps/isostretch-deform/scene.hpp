@@ -57,6 +57,8 @@ struct Scene {
   FrameFormat format = FrameFormat::vtu;
   newton::Options newton = {};
 
+  // Handles come from rest between this time and `start`.
+  double rest_time() const { return start - (end - start); }
   // Of frame 0, the rest shape, to the last.
   double time(int frame) const { return frame == frames ? end : start + (end - start) * frame / frames; }
 };

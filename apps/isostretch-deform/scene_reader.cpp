@@ -9,6 +9,7 @@
 #include <isostretch/core/error.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <set>
@@ -120,7 +121,7 @@ void read_rotation(const JsonValue& value, int dim, handles::Transform& transfor
     return;
   }
   transform.axis = value.at("axis").point(3);
-  if (!(transform.axis.norm() > 0)) value.at("axis").fail("has length zero");
+  if (transform.axis.isZero(0)) value.at("axis").fail("has length zero");
 }
 
 handles::Transform read_transform(const JsonValue& value, int dim) {
@@ -166,10 +167,17 @@ HandleSpec read_handle(const JsonValue& value, int dim) {
 // From the first keyframe of all handles to the last; 0 to 1 without any.
 void read_times(const JsonValue& scene, const std::vector<JsonValue>& values, Scene& result) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (values[i].has("keyframes"))
-      for (const handles::Keyframe& key : result.handles[i].keyframes)
-        low = std::min(low, key.time), high = std::max(high, key.time);
+  for (const JsonValue& value : values) {
+    const auto keyframes = value.find("keyframes");
+    if (!keyframes) continue;
+    for (const JsonValue& key : keyframes->items()) {
+      const double time = key.at("time").number();
+      low = std::min(low, time), high = std::max(high, time);
+      // The handles come from rest in a time as long again.
+      if (!std::isfinite(low - (high - low)))
+        key.at("time").fail("is too far from the other keyframes' times");
+    }
+  }
   if (low < high) result.start = low, result.end = high;
   if (low == high) scene.at("handles").fail("all keyframes are at one time");
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -181,6 +189,7 @@ void read_times(const JsonValue& scene, const std::vector<JsonValue>& values, Sc
 }
 
 void read_handles(const JsonValue& scene, int dim, Scene& result) {
+  if (!scene.has("handles")) scene.fail("handles: there must be one at least");
   const auto values = scene.at("handles").items();
   std::set<std::string> names;
   for (const JsonValue& value : values) {

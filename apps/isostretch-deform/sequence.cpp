@@ -42,23 +42,23 @@ void append(newton::Summary& whole, newton::Summary part, bool first) {
 
 }  // namespace
 
-Stepper::Stepper(const Scene& scene, const Body& body, const Rig& rig, Problem& problem, double time_limit)
+Stepper::Stepper(const Scene& scene, const Body& body, const Rig& rig, Problem& problem, Warn warn,
+                 double time_limit)
     : scene_(scene),
       body_(body),
       rig_(rig),
       problem_(problem),
-      guesser_(scene, body, rig),
+      guesser_(scene, body, rig, std::move(warn)),
       strain_(body),
       time_limit_(time_limit) {}
 
 FrameResult Stepper::advance(int frame, Vector& positions) {
   const Timer timer;
   FrameResult result;
-  const double from = scene_.time(frame - 1), to = scene_.time(frame);
   double done = 0, part = 1;  // of the way
   while (done < 1) {
     const double next = std::min(done + part, 1.0);
-    const auto at = [&](double t) { return t == 1 ? to : from + t * (to - from); };
+    const auto at = [&](double way) { return time_within(frame, way); };
     Vector x = guesser_.guess(positions, at(done), at(next), next < 1 || done > 0);
     problem_.set_time(at(next));
     if (!problem_.admissible(x)) {
@@ -70,7 +70,7 @@ FrameResult Stepper::advance(int frame, Vector& positions) {
     const bool on = solve_part(frame, at(next), x, result);
     positions = std::move(x);
     done = next;
-    result.time = at(done);
+    result.time = std::max(at(done), scene_.start);  // times before are none of the scene's
     result.reached = on && done == 1;
     if (!on) break;
     part *= 2;
@@ -78,6 +78,17 @@ FrameResult Stepper::advance(int frame, Vector& positions) {
   clear_progress();
   result.seconds = timer.seconds();
   return result;
+}
+
+// Where handles begin elsewhere than at rest, half of the first frame takes them there.
+double Stepper::time_within(int frame, double way) const {
+  double from = scene_.time(frame - 1), to = scene_.time(frame);
+  if (way == 1) return to;
+  if (frame == 1 && rig_.comes_from_rest()) {
+    if (way < 0.5) to = from, from = scene_.rest_time();
+    way = way < 0.5 ? 2 * way : 2 * way - 1;
+  }
+  return from + way * (to - from);
 }
 
 bool Stepper::solve_part(int frame, double time, Vector& positions, FrameResult& result) {
@@ -99,10 +110,20 @@ bool Stepper::solve_part(int frame, double time, Vector& positions, FrameResult&
 std::string Stepper::obstacle(int frame, const Vector& guess) const {
   const StrainField strain = strain_.at(guess);
   const int element = strain.worst_element();
+  if (strain.smallest_det() > 0) return formatted("frame %d: ", frame) + overflow(strain);
   return formatted(
              "frame %d: the handles cannot move on without inverting an element, however small the step: ",
              frame) +
          body_.element_text(element) + formatted(" gets det F = %.3g", strain.smallest_det());
+}
+
+// Nothing is inverted, and yet the energy is not finite.
+std::string Stepper::overflow(const StrainField& strain) const {
+  const auto& change = strain.length_change;
+  const auto worst = std::max_element(change.begin(), change.end());
+  return "the energy is not finite, however small the step: " +
+         body_.element_text(static_cast<int>(worst - change.begin())) +
+         formatted(" changes a length by a factor of %.3g", *worst);
 }
 
 }  // namespace isostretch::app::deform

@@ -24,17 +24,20 @@ struct FrameResult {
 // Moves a body along, frame by frame.
 class Stepper {
  public:
-  Stepper(const Scene& scene, const Body& body, const Rig& rig, Problem& problem, double time_limit);
+  Stepper(const Scene& scene, const Body& body, const Rig& rig, Problem& problem, Warn warn,
+          double time_limit);
 
   // From `positions`, which belong to the frame before, to this frame. Where the guess is outside the domain
-  // of the energy, the handles go half the way first, and so on; where even a thousandth of the way is, the
+  // of the energy, the handles go half the way first, and so on; where even 1/4096 of the way is, the
   // frame is not reached and the reason names the element. Ctrl-C and the time limit end it after an
   // iteration.
   FrameResult advance(int frame, Vector& positions);
 
  private:
   bool solve_part(int frame, double time, Vector& positions, FrameResult& result);
+  double time_within(int frame, double way) const;
   std::string obstacle(int frame, const Vector& guess) const;
+  std::string overflow(const StrainField& strain) const;
 
   const Scene& scene_;
   const Body& body_;

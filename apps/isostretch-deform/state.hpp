@@ -2,6 +2,7 @@
 
 #include "common/body.hpp"
 #include "common/output_folder.hpp"
+#include "scene.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -24,7 +25,7 @@ inline constexpr const char* state_file = "restart.json";
 std::string state_text(const State& state, const Json& scene, const Body& body);
 
 // Throws Error naming the file when there is none, and what has changed when it belongs to another scene or
-// body.
-State read_state(const std::filesystem::path& folder, const Json& scene, const Body& body);
+// body, or what is damaged.
+State read_state(const std::filesystem::path& folder, const Scene& scene, const Body& body);
 
 }  // namespace isostretch::app::deform

@@ -39,6 +39,15 @@ void check_scene(const std::function<void(Json&)>& change, const std::vector<std
   check_failure(scratch, {write_scene(scratch, scene), "-o", scratch.path("out")}, 3, all);
 }
 
+// Both ends of a bar held, the right one moved by so much.
+Json pulled_bar(const Json& translate) {
+  Json scene = twisted_bar(0, 1);
+  scene["mesh"]["bar"]["cells"] = {4, 2, 2};
+  scene["handles"][1].erase("rotate");
+  scene["handles"][1]["translate"] = translate;
+  return scene;
+}
+
 }  // namespace
 
 TEST_CASE("deform: a wrong scene is exit code 3, with the path of the key") {
@@ -125,6 +134,88 @@ TEST_CASE("deform: a wrong scene is exit code 3, with the path of the key") {
         s["order"] = 2;
       },
       {"format: ", "quadratic"});
+}
+
+TEST_CASE("deform: a region without elements, and keyframes too far apart") {
+  check_scene(
+      [](Json& s) {
+        s["regions"] = {{{"elements", Json::array()}, {"energy", "arap"}}};
+      },
+      {"regions[0].elements: ", "no elements"});
+  check_scene(
+      [](Json& s) {
+        s["handles"][1].erase("rotate");
+        s["handles"][1]["keyframes"] = {{{"time", -1.7e308}}, {{"time", 1.7e308}, {"translate", {1, 0, 0}}}};
+      },
+      {"handles[1].keyframes[1].time: ", "too far"});
+}
+
+TEST_CASE("deform: a scene without handles is the scene's fault, and what comes before is said first") {
+  check_scene([](Json& s) { s.erase("handles"); }, {"scene.json: handles: there must be one"});
+  check_scene([](Json& s) { s.erase("handles"), s["energy"] = "rubber"; }, {"energy: unknown"});
+}
+
+TEST_CASE("deform: JSON that is too deep or has numbers too large is bad input") {
+  const Scratch scratch;
+  const auto refused = [&](const std::string& text, const std::vector<std::string>& words) {
+    check_failure(scratch, {scratch.write("odd.json", text), "-o", scratch.path("out")}, 3, words);
+  };
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  refused(deep, {"odd.json: ", "64 deep"});
+  refused("{\"mesh\": " + deep + "}", {"odd.json: ", "64 deep"});
+  refused("{\"mesh\": [[[1, 2]]]}", {"mesh: must be an object", "a list of 1"});
+  refused("{\"frames\": 1e999}", {"odd.json: ", "1e999"});
+}
+
+TEST_CASE("deform: a restart.json that is damaged is refused, with what is wrong in it") {
+  const Scratch scratch;
+  const std::string scene = write_scene(scratch, pulled_bar({0.1, 0, 0})), out = scratch.path("out");
+  REQUIRE(deform({scene, "-o", out, "--no-picture"}).code == 0);
+  const Json good = Json::parse(read_file(out + "/restart.json"));
+  const auto damaged = [&](const std::function<void(Json&)>& change, const std::string& word) {
+    Json state = good;
+    change(state);
+    scratch.write("out/restart.json", state.dump());
+    check_failure(scratch, {scene, "-o", out, "--restart"}, 3, {"restart.json", "is damaged: ", word});
+  };
+  damaged([](Json& s) { s["frame"] = 2; }, "frame: ");
+  damaged([](Json& s) { s["frame"] = -1; }, "frame: ");
+  damaged([](Json& s) { s["frames"] = 7; }, "frames: ");
+  damaged([](Json& s) { s["frames"].erase(1); }, "frames: ");
+  damaged([](Json& s) { s["frames"][0] = 3; }, "frames[0]: ");
+  damaged([](Json& s) { s["frames"][1].erase("inverted"); }, "frames[1]: ");
+  damaged([](Json& s) { s["frames"][1]["min_det_F_element"] = 1000; }, "frames[1].min_det_F_element: ");
+  damaged([](Json& s) { s["frames"][1]["seconds"] = "long"; }, "frames[1].seconds: ");
+  damaged([](Json& s) { s["trace"] = 1; }, "trace: ");
+  damaged([](Json& s) { s["positions"].erase(0); }, "positions: ");
+  damaged([](Json& s) { s["positions"][4] = nullptr; }, "positions[4]: ");
+  damaged([](Json& s) { s["scene"] = 3; }, "scene: ");
+}
+
+TEST_CASE("deform: an energy that overflows is not called an inversion") {
+  const Scratch scratch;
+  Json scene = pulled_bar({1e160, 0, 0});
+  scene["energy"] = "arap";
+  scene["guess"] = "previous";
+  const Outcome run = deform({write_scene(scratch, scene), "-o", scratch.path("out"), "--no-picture"});
+  CAPTURE(run.err);
+  CHECK(run.code == 6);
+  CHECK(run.err.find("frame 1: the energy is not finite") != std::string::npos);
+  CHECK(run.err.find("tet ") != std::string::npos);
+}
+
+TEST_CASE("deform: where one way to spread a guess fails the next takes its place, with a warning") {
+  const Scratch scratch;
+  Json scene = pulled_bar({1e307, 0, 0});  // the biharmonic system overflows, the harmonic one does not
+  scene["mesh"]["bar"]["size"] = {4e-3, 1e-3, 1e-3};
+  const Outcome run = deform({write_scene(scratch, scene), "-o", scratch.path("out"), "--no-picture"});
+  CAPTURE(run.err);
+  CHECK(run.code == 6);
+  const auto warnings = read_json(scratch.path("out/summary.json"))["warnings"];
+  CAPTURE(warnings.dump());
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].get<std::string>().find("biharmonic failed (") != std::string::npos);
+  CHECK(warnings[0].get<std::string>().find("harmonic takes its place") != std::string::npos);
 }
 
 TEST_CASE("deform: what the command line cannot add to is said") {

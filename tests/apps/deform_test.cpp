@@ -263,6 +263,67 @@ TEST_CASE("deform: where the guess inverts an element under a barrier, the handl
   CHECK(summary["frames"][1]["energy"].get<double>() == Approx(from_harmonic).epsilon(1e-5));
 }
 
+TEST_CASE("deform: frame 1 takes handles from rest to a first keyframe elsewhere") {
+  const Scratch scratch;
+  Json scene = twisted_bar(0, 2);
+  scene["mesh"]["bar"]["cells"] = {4, 2, 2};
+  scene["handles"][1].erase("rotate");
+  scene["handles"][1]["keyframes"] = {{{"time", 0}, {"translate", {-2, 0, 0}}},
+                                      {{"time", 1}, {"translate", {-2.1, 0, 0}}}};
+  for (const char* guess : {"biharmonic", "previous"}) {
+    scene["guess"] = guess;
+    const auto summary = solved(scratch, scene);
+    CHECK(summary["frames"][1]["time"] == 0.5);
+    CHECK(summary["frames"][2]["min_det_F"].get<double>() > 0);
+    const mesh::Points3 rest = frame(scratch, 0), first = frame(scratch, 1);
+    for (Eigen::Index v = 0; v < rest.rows(); ++v)
+      if (rest(v, 0) == 4) CHECK(first(v, 0) == Approx(1.95));
+  }
+}
+
+TEST_CASE("deform: a first keyframe that is turned is reached by turning") {
+  const Scratch scratch;
+  Json scene = twisted_bar(0, 1);
+  scene["mesh"]["bar"]["size"] = {12, 1, 1};
+  scene["handles"][1]["keyframes"] = {{{"time", 3}, {"rotate", scene["handles"][1]["rotate"]}},
+                                      {{"time", 4}, {"rotate", scene["handles"][1]["rotate"]}}};
+  for (Json& key : scene["handles"][1]["keyframes"]) key["rotate"]["degrees"] = 180;
+  scene["handles"][1].erase("rotate");
+  const auto summary = solved(scratch, scene);
+  CHECK(summary["frames"][1]["min_det_F"].get<double>() > 0);
+}
+
+TEST_CASE("deform: the guess is spread on thin bodies and fine sheets") {
+  const Scratch scratch;
+  const auto warnings = [&](const Json& bar) {
+    Json scene = twisted_bar(0, 1);
+    scene["mesh"]["bar"] = bar;
+    const bool flat = bar["cells"].size() == 2;
+    scene["handles"][1].erase("rotate");
+    scene["handles"][1]["translate"] = flat ? Json{0.1, 0} : Json{0.1, 0, 0};
+    return solved(scratch, scene, {"--format", flat ? "obj" : "vtu", "--max-iterations", "50"})["warnings"];
+  };
+  CHECK(warnings({{"cells", {60, 60}}, {"size", {1, 1}}}).empty());
+  CHECK(warnings({{"cells", {30, 20, 7}}, {"size", {4, 1, 0.1}}}).empty());
+}
+
+TEST_CASE("deform: the guess needs more quadrature points than the scene asks for") {
+  const Scratch scratch;
+  for (const Json& element : {Json("hex"), Json("quadratic_tet"), Json("quad"), Json("quadratic_triangle")}) {
+    const bool flat = element == "quad" || element == "quadratic_triangle";
+    Json scene = twisted_bar(0, 1);
+    scene["mesh"]["bar"] = {{"cells", flat ? Json{4, 2} : Json{4, 2, 2}}, {"element", element}};
+    scene["quadrature"] = 1;
+    scene["handles"][1].erase("rotate");
+    scene["handles"][1]["translate"] = flat ? Json{0.1, 0} : Json{0.1, 0, 0};
+    const Outcome run = deform({write_scene(scratch, scene), "-o", scratch.path("out"), "--no-picture"});
+    CAPTURE(element);
+    CAPTURE(run.err);
+    CHECK(run.code != 1);
+    CHECK(read_json(scratch.path("out/summary.json"))["warnings"].empty());
+  }
+}
+
 TEST_CASE("deform: keyframes, more than a full turn and back") {
   const Scratch scratch;
   Json scene = twisted_bar(0, 6);

@@ -13,12 +13,17 @@ namespace {
 
 using Rotation = Eigen::Matrix3d;
 
+// Of an axis of any length: its square may overflow or vanish.
+Point unit(const Point& axis) {
+  return (axis / axis.cwiseAbs().maxCoeff()).normalized();
+}
+
 Rotation rotation(const Point& axis, double degrees) {
   // Full turns are taken off first, and quarter turns are exact.
   const double turn = std::remainder(degrees, 360.0);
   double s = std::sin(turn * std::numbers::pi / 180), c = std::cos(turn * std::numbers::pi / 180);
   if (std::fmod(turn, 90.0) == 0) s = std::round(s), c = std::round(c);
-  const Point n = axis.normalized();
+  const Point n = unit(axis);
   Rotation cross;
   cross << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
   return Rotation::Identity() + s * cross + (1 - c) * cross * cross;
@@ -33,16 +38,16 @@ void require_finite(const Keyframe& key, const std::string& name) {
   if (!(std::isfinite(key.time) && t.translation.allFinite() && t.axis.allFinite() &&
         std::isfinite(t.degrees) && std::isfinite(t.scale)))
     throw Error(name + ": a number that is not finite");
-  if (!(t.axis.norm() > 0)) throw Error(name + ": a rotation axis of length zero");
+  if (t.axis.isZero(0)) throw Error(name + ": a rotation axis of length zero");
   if (!(t.scale > 0)) throw Error(name + ": a scale of " + std::to_string(t.scale) + ", must be positive");
 }
 
 // Degrees about the axis of `a` that `b` stands for, if it has the same axis.
 bool shares_axis(const Transform& a, const Transform& b, double& degrees) {
   constexpr double same = 1e-12;
-  const double cosine = a.axis.normalized().dot(b.axis.normalized());
-  const bool parallel = a.axis.normalized().cross(b.axis.normalized()).norm() <= same;
-  degrees = cosine < 0 ? -b.degrees : b.degrees;
+  const Point m = unit(a.axis), n = unit(b.axis);
+  const bool parallel = m.cross(n).norm() <= same;
+  degrees = m.dot(n) < 0 ? -b.degrees : b.degrees;
   return parallel || b.degrees == 0;
 }
 

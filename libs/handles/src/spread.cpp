@@ -68,12 +68,22 @@ struct Spreader::System {
   void factorize(const sparse::Options& options) {
     if (node.empty()) return;
     solver = sparse::make_solver(options);
+    // The solver would take a biharmonic system in the plane, by its density, for one in space. Where nodes
+    // are does not matter to a system with one unknown a node.
+    const std::vector<double> anywhere(node.size() * static_cast<std::size_t>(dim), 0.0);
+    solver->set_coordinates(anywhere.data(), dim, static_cast<int>(node.size()));
     const sparse::SymmetricMatrix A = free_part();
     solver->analyze(A);
     const sparse::FactorResult result = solver->factorize(A);
     if (!result) throw Error("spread: the system cannot be factorised: " + result.message);
   }
 };
+
+sparse::Options factorizing() {
+  sparse::Options options;
+  options.automatic_max_flops = 1e18;
+  return options;
+}
 
 Spreader::Spreader(const assembly::Elements& elements, const std::vector<int>& given, SpreadKind kind,
                    const sparse::Options& solver)

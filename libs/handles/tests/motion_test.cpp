@@ -80,6 +80,16 @@ TEST_CASE("between different axes the rotation goes the shortest way, evenly") {
   CHECK((rotation(1) * y - z).norm() < 1e-15);
 }
 
+TEST_CASE("axes may be of any length") {
+  for (const double length : {1e200, 1e-200, 1e308, 5e-324}) {
+    CHECK(motion({{0, {.axis = length * z, .degrees = 90}}}).at(0)(x) == y);
+    const Point diagonal = Point::Constant(length);
+    CHECK((motion({{0, {.axis = diagonal, .degrees = 120}}}).at(0)(x) - y).norm() < 1e-14);
+    const Motion m = motion({{0, {.axis = z}}, {1, {.axis = length * z, .degrees = 720}}});
+    CHECK(m.at(0.125)(x) == y);
+  }
+}
+
 TEST_CASE("motions that make no sense are errors that begin with the name") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   check_failure({}, "no keyframes");

@@ -144,6 +144,18 @@ TEST_CASE("given displacements come out to the bit, and components without any s
   CHECK(Spreader(b.elements, {}, SpreadKind::harmonic).spread(Vector::Ones(75)).isZero(0));
 }
 
+TEST_CASE("the biharmonic spread is solved on fine sheets and thin plates") {
+  const auto sheet = mesh::grid(120, 120, 1, 1);
+  const mesh::Points2 flat = sheet.vertices.leftCols<2>();
+  const auto plate = mesh::tet_bar(30, 20, 7, 4, 1, 0.01);
+  for (const Body& b :
+       {body(mesh::elements(flat, sheet.triangles), flat), body(mesh::elements(plate), plate.vertices)}) {
+    const Vector u = sampled(b.nodes, [](const Point&) { return Point(1, -2, 0.5); });
+    const Vector spread = Spreader(b.elements, ends(b.nodes), SpreadKind::biharmonic).spread(u);
+    CHECK((spread - u).cwiseAbs().maxCoeff() < 1e-3);  // the condition is that of K squared
+  }
+}
+
 TEST_CASE("misuse is named") {
   const Body b = tets();
   CHECK_THROWS_WITH_AS(Spreader(b.elements, {3, 1000}, SpreadKind::harmonic), doctest::Contains("node 1000"),

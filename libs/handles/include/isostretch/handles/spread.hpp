@@ -17,13 +17,16 @@ enum class SpreadKind {
   biharmonic,  // K M^-1 K u = 0: smooth at the handles, may overshoot
 };
 
+// Solver options that factorise whatever it takes, as long as it fits into memory.
+sparse::Options factorizing();
+
 // Spreads displacements given at some nodes to all others, for any dimension and element. The system is
 // factorised once. A component without a given node, and a node of no element, stays where it is.
 class Spreader {
  public:
   // Throws Error when the elements are malformed, a node is out of range, or the system cannot be factorised.
   Spreader(const assembly::Elements& elements, const std::vector<int>& given, SpreadKind kind,
-           const sparse::Options& solver = {});
+           const sparse::Options& solver = factorizing());
   ~Spreader();
   Spreader(Spreader&&) noexcept;
   Spreader& operator=(Spreader&&) noexcept;
