@@ -15,6 +15,10 @@ constexpr double short_step = 0.2;
 // a model too soft and too stiff; and what is left of the way to the absolute value in the second case.
 constexpr double soft_fit = 0.1, stiff_fit = 1.25, relaxation = 0.7;
 
+// adaptive, without a barrier: a step that gained more than this share met curvature far below that of the
+// filtered model, and the exact Hessian hardly ever factorises then. With a barrier such gains are the rule.
+constexpr double hopeless_fit = 1.2;
+
 // trust_region: shares from which on the model is taken for good, and for usable.
 constexpr double good_fit = 0.75, usable_fit = 0.01;
 
@@ -52,7 +56,8 @@ FilterOptions HessianPolicy::first() {
     case Projection::adaptive:
       break;
   }
-  return at(wait_ == 0 && full_step_ ? exact : strength_);
+  const bool hopeless = most_ == absolute && model_fit_ > hopeless_fit;
+  return at(wait_ == 0 && full_step_ && !hopeless ? exact : strength_);
 }
 
 bool HessianPolicy::stronger(FilterOptions& filter) {

@@ -16,8 +16,9 @@ namespace isostretch::newton {
 //
 // - Filtering costs the quadratic end phase wherever element Hessians are indefinite at the optimum although
 //   their sum is not, while a Hessian that fails to factorise costs up to a factorization. Hence after a full
-//   step the exact Hessian is tried; if it fails, the strength that worked last is used, and the exact one is
-//   left alone for retry_interval steps.
+//   step the exact Hessian is tried (unless that step gained far more than promised, and there is no
+//   barrier); if it fails, the strength that worked last is used, and the exact one is left alone for
+//   retry_interval steps.
 // - If it factorises but its model fits badly, which a short step shows, a quarter is used for as long.
 // - From 1/2 on, a model that promised far more than the step gained goes to the absolute value, and one that
 //   promised less comes back towards clamping. Energies with a barrier stay at 1/2: the barrier keeps steps

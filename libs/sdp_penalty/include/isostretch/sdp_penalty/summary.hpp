@@ -44,8 +44,8 @@ struct Summary {
   double min_determinant = std::numeric_limits<double>::quiet_NaN();
   int inverted = 0;
   double seconds = 0;
-  // Of `iterations` and `failed`: ten elements (or all) with the largest multipliers, largest first. Where they
-  // grow beyond bounds no x is strictly feasible: the ex-rotations there contradict each other.
+  // Of `iterations` and `failed`: ten elements (or all) with the largest multipliers, largest first. Where
+  // they grow beyond bounds no x is strictly feasible: the ex-rotations there contradict each other.
   std::vector<int> suspects;
   std::vector<Iteration> trace;
 };
