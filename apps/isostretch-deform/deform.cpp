@@ -3,6 +3,7 @@
 #include "common/formatted.hpp"
 #include "common/interrupt.hpp"
 #include "common/newton_report.hpp"
+#include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "report.hpp"
 #include "scene_reader.hpp"
@@ -58,7 +59,7 @@ class Job {
     timed(seconds_.solve, [&] { make_frames(state, folder); });
     seconds_.solve -= frame_write_seconds_;
     write_reports(folder);
-    return conclude(folder);
+    return conclude(verdict(result_), exit_code(result_), folder, options_.out, common_.verbose);
   }
 
  private:
@@ -179,7 +180,7 @@ class Job {
     timed(seconds_.write, [&] {
       if (options_.picture) folder.add("deform.png", picture = draw(result_, strain_));
       folder.add("trace.csv", result_.trace);
-      if (scene_.format == FrameFormat::vtu) folder.add("deform.pvd", animation());
+      if (scene_.format == FrameFormat::vtu) folder.add("deform.pvd", animation_text(result_.frames));
     });
     seconds_.write += frame_write_seconds_;
     seconds_.total = timer_.seconds();
@@ -187,24 +188,6 @@ class Job {
     folder.add_json("summary.json", summary);
     if (options_.picture) folder.add("report.html", report_page(result_, summary, picture));
     folder.commit();
-  }
-
-  std::string animation() const {
-    std::vector<std::pair<std::string, double>> files;
-    for (const Json& frame : result_.frames)
-      files.emplace_back(frame["file"].get<std::string>(), frame["time"].get<double>());
-    return pvd_text(files);
-  }
-
-  ExitCode conclude(const OutputFolder& folder) const {
-    print(verdict(result_) + "\n");
-    if (common_.verbose)
-      for (const auto& path : folder.paths()) print("wrote " + path.string() + "\n");
-    else
-      print(formatted("wrote %zu files to ", folder.paths().size()) + options_.out.string() + "\n");
-    const ExitCode code = exit_code(result_);
-    if (code != ExitCode::success) report_error(verdict(result_));
-    return code;
   }
 
   Timer timer_;

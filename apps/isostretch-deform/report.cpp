@@ -2,6 +2,7 @@
 
 #include "common/formatted.hpp"
 #include "common/newton_report.hpp"
+#include "common/sequence_report.hpp"
 #include "common/threads.hpp"
 
 #include <isostretch/core/isa.hpp>
@@ -69,21 +70,9 @@ Json regions_json(const Problem& problem) {
   return json;
 }
 
-// Over all frames, those of an earlier run included.
-double sum(const Json& frames, const char* key) {
-  double total = 0;
-  for (const Json& frame : frames) total += frame.value(key, 0.0);
-  return total;
-}
-
-template <class Counts>
-int count(const Json& frames, const Counts& counts) {
-  return static_cast<int>(std::count_if(frames.begin(), frames.end(), counts));
-}
-
 // Frame 0 is none of those wanted.
 int reached_frames(const Json& frames) {
-  return count(frames, [](const Json& frame) { return frame["reached"].get<bool>(); }) - 1;
+  return count_frames(frames, [](const Json& frame) { return frame["reached"].get<bool>(); }) - 1;
 }
 
 }  // namespace
@@ -124,11 +113,11 @@ std::string trace_rows(int frame, const newton::Summary& summary, bool head) {
 }
 
 int inverted_frames(const Result& r) {
-  return count(r.frames, [](const Json& frame) { return frame["inverted"].get<int>() > 0; });
+  return count_frames(r.frames, [](const Json& frame) { return frame["inverted"].get<int>() > 0; });
 }
 
 int unconverged_frames(const Result& r) {
-  return count(r.frames, [](const Json& frame) { return !frame["converged"].get<bool>(); });
+  return count_frames(r.frames, [](const Json& frame) { return !frame["converged"].get<bool>(); });
 }
 
 ExitCode exit_code(const Result& r) {
@@ -164,9 +153,9 @@ Json summary_json(const Result& r, const PhaseSeconds& seconds) {
             {"frames_made", reached_frames(r.frames)},
             {"frames_wanted", r.scene.frames},
             {"restarted_at", r.restarted_at},
-            {"iterations", static_cast<long>(sum(r.frames, "iterations"))},
-            {"factorizations", static_cast<long>(sum(r.frames, "factorizations"))},
-            {"frame_seconds", sum(r.frames, "seconds")},
+            {"iterations", static_cast<long>(sum_over(r.frames, "iterations"))},
+            {"factorizations", static_cast<long>(sum_over(r.frames, "factorizations"))},
+            {"frame_seconds", sum_over(r.frames, "seconds")},
             {"min_det_F", last["min_det_F"]},
             {"inverted", last["inverted"]},
             {"frames_with_inverted", inverted_frames(r)},

@@ -2,6 +2,7 @@
 
 #include "common/formatted.hpp"
 #include "common/interrupt.hpp"
+#include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "report.hpp"
 
@@ -58,7 +59,7 @@ class Job {
           "the last step is much longer than the others: the way leads to another minimum than the second "
           "pose");
     write_reports(folder);
-    return conclude(folder);
+    return conclude(verdict(result_), exit_code(result_), folder, options_.out, common_.verbose);
   }
 
  private:
@@ -122,29 +123,12 @@ class Job {
         folder.add("energy.png", draw_energies(result_));
       }
       folder.add("trace.csv", result_.trace);
-      if (options_.format == FrameFormat::vtu) folder.add("interpolation.pvd", animation());
+      if (options_.format == FrameFormat::vtu)
+        folder.add("interpolation.pvd", animation_text(result_.frames));
     });
     seconds_.total = timer_.seconds();
     folder.add_json("summary.json", summary_json(result_, seconds_));
     folder.commit();
-  }
-
-  std::string animation() const {
-    std::vector<std::pair<std::string, double>> files;
-    for (const Json& frame : result_.frames)
-      files.emplace_back(frame["file"].get<std::string>(), frame["time"].get<double>());
-    return pvd_text(files);
-  }
-
-  ExitCode conclude(const OutputFolder& folder) const {
-    print(verdict(result_) + "\n");
-    if (common_.verbose)
-      for (const auto& path : folder.paths()) print("wrote " + path.string() + "\n");
-    else
-      print(formatted("wrote %zu files to ", folder.paths().size()) + options_.out.string() + "\n");
-    const ExitCode code = exit_code(result_);
-    if (code != ExitCode::success) report_error(verdict(result_));
-    return code;
   }
 
   Timer timer_;

@@ -2,6 +2,7 @@
 
 #include "common/formatted.hpp"
 #include "common/newton_report.hpp"
+#include "common/sequence_report.hpp"
 #include "common/threads.hpp"
 
 #include <isostretch/core/isa.hpp>
@@ -63,23 +64,12 @@ void add_to(newton::Seconds& sum, const newton::Seconds& s) {
   sum.factorization += s.factorization, sum.solve += s.solve, sum.line_search += s.line_search;
 }
 
-double sum(const Json& frames, const char* key) {
-  double total = 0;
-  for (const Json& frame : frames) total += frame.value(key, 0.0);
-  return total;
-}
-
-template <class Counts>
-int count(const Json& frames, const Counts& counts) {
-  return static_cast<int>(std::count_if(frames.begin(), frames.end(), counts));
-}
-
 int inverted_frames(const Result& r) {
-  return count(r.frames, [](const Json& frame) { return frame["inverted"].get<int>() > 0; });
+  return count_frames(r.frames, [](const Json& frame) { return frame["inverted"].get<int>() > 0; });
 }
 
 int unconverged_frames(const Result& r) {
-  return count(r.frames, [](const Json& frame) { return !frame["converged"].get<bool>(); });
+  return count_frames(r.frames, [](const Json& frame) { return !frame["converged"].get<bool>(); });
 }
 
 // Over all frames and both poses.
@@ -156,9 +146,9 @@ Json summary_json(const Result& r, const PhaseSeconds& seconds) {
             {"message", verdict(r)},
             {"frames_made", r.frames.size() - 1},
             {"frames_wanted", r.options.frames},
-            {"iterations", static_cast<long>(sum(r.frames, "iterations"))},
-            {"factorizations", static_cast<long>(sum(r.frames, "factorizations"))},
-            {"frame_seconds", sum(r.frames, "seconds")},
+            {"iterations", static_cast<long>(sum_over(r.frames, "iterations"))},
+            {"factorizations", static_cast<long>(sum_over(r.frames, "factorizations"))},
+            {"frame_seconds", sum_over(r.frames, "seconds")},
             {"phases", phases_json(r.phases)},
             {"min_det_F", smallest_det(r)},
             {"frames_with_inverted", inverted_frames(r)},

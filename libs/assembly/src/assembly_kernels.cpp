@@ -97,17 +97,17 @@ template <int Dim>
 ISOSTRETCH_INLINE Mask<Pack> filter_points(const ElementChunk& chunk, const projection::FilterOptions& filter,
                                            bool coupled, int i,
                                            invariants::StretchDerivatives<Dim, Pack>& d) {
-  if (chunk.filtered == nullptr) return projection::apply_filter(filter, d, coupled);
-  const Mask<Pack> wanted = load<Pack>(chunk.filtered + i) > Pack(0.0);
   const invariants::StretchDerivatives<Dim, Pack> exact = d;
-  const Mask<Pack> changed = wanted & projection::apply_filter(filter, d, coupled);
+  const Mask<Pack> changed = projection::apply_filter(filter, d, coupled);
+  if (chunk.filtered == nullptr) return changed;
+  const Mask<Pack> wanted = load<Pack>(chunk.filtered + i) > Pack(0.0);
   for (int e = 0; e < Dim; ++e) d.diagonal[e] = select(wanted, d.diagonal[e], exact.diagonal[e]);
   for (int e = 0; e < d.pairs; ++e) {
     d.twist[e] = select(wanted, d.twist[e], exact.twist[e]);
     d.flip[e] = select(wanted, d.flip[e], exact.flip[e]);
     d.coupling[e] = select(wanted, d.coupling[e], exact.coupling[e]);
   }
-  return changed;
+  return changed & wanted;
 }
 
 template <int Dim, int Nodes>

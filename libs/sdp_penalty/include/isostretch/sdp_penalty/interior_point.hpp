@@ -13,6 +13,10 @@ enum class CallbackAction { proceed, stop };
 using IterationCallback = std::function<CallbackAction(const Iteration&, const Vector& x)>;
 
 struct InteriorPointOptions {
+  // A factorization: systems near the boundary are too badly conditioned for anything else, and the bound is
+  // rigorous only as far as H0 is solved with exactly.
+  InteriorPointOptions() { solver.backend = sparse::available_backends().front(); }
+
   double gap_tolerance = 1e-6;  // certified, relative
   int max_iterations = 60;
   double step_fraction = 0.99;    // of the way to the boundary
