@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace isostretch::assembly {
@@ -50,6 +51,27 @@ void require_balanced(const Elements& e, std::size_t point, const std::string& n
   }
 }
 
+// Union-find in which the smallest node of a component stands for it.
+class Components {
+ public:
+  explicit Components(int count) : parent_(static_cast<std::size_t>(count)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  int find(int i) {
+    while (parent(i) != i) i = parent(i) = parent(parent(i));
+    return i;
+  }
+  void join(int a, int b) {
+    a = find(a), b = find(b);
+    parent(std::max(a, b)) = std::min(a, b);
+  }
+
+ private:
+  int& parent(int i) { return parent_[static_cast<std::size_t>(i)]; }
+
+  std::vector<int> parent_;
+};
+
 }  // namespace
 
 void Elements::validate() const {
@@ -65,6 +87,23 @@ void Elements::validate() const {
       throw Error(name + ": weight " + std::to_string(weights[point]) + " is not positive and finite");
     require_balanced(*this, point, name);
   }
+}
+
+std::vector<int> component_of_nodes(const Elements& elements) {
+  Components components(elements.node_count);
+  std::vector<int> result(static_cast<std::size_t>(elements.node_count), -1);
+  const auto k = static_cast<std::size_t>(elements.nodes_per_element);
+  for (std::size_t i = 0; i < elements.nodes.size(); ++i) {
+    components.join(elements.nodes[i], elements.nodes[i - i % k]);
+    result[static_cast<std::size_t>(elements.nodes[i])] = 0;
+  }
+  int count = 0;
+  for (std::size_t node = 0; node < result.size(); ++node) {
+    if (result[node] < 0) continue;
+    const auto first = static_cast<std::size_t>(components.find(static_cast<int>(node)));
+    result[node] = first == node ? count++ : result[first];
+  }
+  return result;
 }
 
 }  // namespace isostretch::assembly

@@ -4,41 +4,55 @@
 
 namespace isostretch::sdp_penalty {
 
-Unconstrained::Unconstrained(const System& system, const sparse::Options& options)
-    : system_(system), solver_(sparse::make_solver(options)) {
-  sparse::FactorResult result = solver_->analyze(system.quadratic());
+Unconstrained::Unconstrained(const sparse::Options& options) : solver_(sparse::make_solver(options)) {}
+
+bool Unconstrained::refresh(const System& system) {
+  const bool same_structure = system_ == &system;
+  system_ = &system;
+  if (same_structure && system.quadratic().value == factorised_) return false;
+  if (system.unknowns() == 0) return false;
+  factorised_.clear();
+  sparse::FactorResult result;
+  if (!same_structure) result = solver_->analyze(system.quadratic());
   if (result) result = solver_->factorize(system.quadratic());
-  if (!result)
-    throw Error("inversion-free problem: without constraints it has no single solution (" + result.message +
-                "): does every component have targets?");
+  if (!result) {
+    system_ = nullptr;
+    throw Error("inversion-free problem: without constraints it cannot be solved (" + result.message + ")");
+  }
+  factorised_ = system.quadratic().value;
+  return true;
 }
 
+// Of the unknowns; 0 at hard targets.
 Vector Unconstrained::solved(const Vector& right) const {
-  Vector x(right.size());
-  solver_->solve_columns(right.data(), x.data(), 1);
-  return x;
+  if (system_->unknowns() == 0) return Vector::Zero(right.size());
+  const Vector b = system_->unknown_part(right);
+  Vector x(b.size());
+  solver_->solve_columns(b.data(), x.data(), 1);
+  return system_->spread_out(x);
 }
 
 Vector Unconstrained::minimiser() const {
-  return solved(system_.linear());
+  const Vector x = system_->start();
+  Vector g;
+  system_->gradient(x, g);
+  return x - solved(g);
 }
 
-double Unconstrained::lower_bound(const Vector& x, const std::vector<double>& S, const std::vector<double>& Y,
-                                  double margin) const {
+double Unconstrained::lower_bound(const Vector& x, double energy, const Constrained& at_x,
+                                  const Constrained& multipliers) const {
   double inner = 0;
-  const int dim = system_.dim();
-  const std::size_t entries = system_.block_size();
-  std::vector<double> minus(Y.size());
-  for (std::size_t k = 0; k < S.size(); ++k) {
-    const std::size_t in_block = k % entries;
-    const bool diagonal = in_block % static_cast<std::size_t>(dim + 1) == 0;
-    inner += Y[k] * (S[k] - (diagonal ? margin : 0.0));
-    minus[k] = -Y[k];
-  }
+  const Blocks &S = at_x.orientation, &Y = multipliers.orientation;
+  const double margin = system_->problem().margin;
+  const std::size_t entries = system_->block_size(), diagonal = static_cast<std::size_t>(system_->dim() + 1);
+  for (std::size_t k = 0; k < S.size(); ++k)
+    inner += Y[k] * (S[k] - (k % entries % diagonal == 0 ? margin : 0.0));
+  for (std::size_t k = 0; k < multipliers.stretch.size(); ++k)
+    inner += multipliers.stretch[k] * at_x.stretch[k];
   Vector r;
-  system_.gradient(x, r);
-  system_.add_adjoint(minus, r);
-  return system_.objective(x) - inner - 0.5 * r.dot(solved(r));
+  system_->gradient(x, r);
+  subtract_adjoint(*system_, multipliers, r);
+  return energy - inner - 0.5 * r.dot(solved(r));
 }
 
 }  // namespace isostretch::sdp_penalty

@@ -5,26 +5,30 @@
 #include <isostretch/sparse/solver.hpp>
 
 #include <memory>
+#include <vector>
 
 namespace isostretch::sdp_penalty {
 
 // Solves with H0, factorised once: the minimiser without constraints, and lower bounds.
 class Unconstrained {
  public:
-  // Throws Error when H0 is singular: some component has no target.
-  Unconstrained(const System& system, const sparse::Options& options);
+  explicit Unconstrained(const sparse::Options& options);
+
+  // For this system from here on; true when H0 had to be factorised. Throws Error when it is singular.
+  bool refresh(const System& system);
 
   Vector minimiser() const;
 
-  // A bound on the energy of every x with S_i >= margin I, for any positive semi-definite Y.
-  double lower_bound(const Vector& x, const std::vector<double>& S, const std::vector<double>& Y,
-                     double margin) const;
+  // A bound on the energy of every feasible x, for any positive semi-definite multipliers.
+  double lower_bound(const Vector& x, double energy, const Constrained& at_x,
+                     const Constrained& multipliers) const;
 
  private:
   Vector solved(const Vector& right) const;
 
-  const System& system_;
+  const System* system_ = nullptr;
   std::unique_ptr<sparse::Solver> solver_;
+  std::vector<double> factorised_;  // values of H0
 };
 
 }  // namespace isostretch::sdp_penalty

@@ -32,6 +32,35 @@ bool is_rotation(const double* R, int dim) {
          0;
 }
 
+void require_compatible_targets(const Problem& problem) {
+  std::vector<int> held(static_cast<std::size_t>(problem.node_count()), -1);  // by which target
+  for (std::size_t h = 0; h < problem.targets.size(); ++h) {
+    const Target& target = problem.targets[h];
+    if (!target.hard) continue;
+    int& first = held[static_cast<std::size_t>(target.node)];
+    require(first < 0 || problem.targets[static_cast<std::size_t>(first)].position == target.position,
+            "targets " + std::to_string(first) + " and " + std::to_string(h) + " hold node " +
+                std::to_string(target.node) + " in different places");
+    first = static_cast<int>(h);
+  }
+}
+
+// A component that nothing holds could be anywhere.
+void require_held_components(const Problem& problem) {
+  const std::vector<int> component = assembly::component_of_nodes(problem.elements);
+  std::vector<bool> held(component.size(), false), held_component(component.size(), false);
+  for (const Target& target : problem.targets) {
+    if (!target.hard && problem.alpha == 0) continue;
+    const auto node = static_cast<std::size_t>(target.node);
+    held[node] = true;
+    if (component[node] >= 0) held_component[static_cast<std::size_t>(component[node])] = true;
+  }
+  for (std::size_t node = 0; node < component.size(); ++node)
+    require(component[node] < 0 ? held[node] : held_component[static_cast<std::size_t>(component[node])],
+            "no target holds node " + std::to_string(node) +
+                (component[node] < 0 ? ", which belongs to no element" : " or another of its component"));
+}
+
 }  // namespace
 
 void Problem::validate() const {
@@ -50,7 +79,6 @@ void Problem::validate() const {
     require(weights[e] > 0 && std::isfinite(weights[e]),
             "the weight of element " + std::to_string(e) + " is not positive");
   }
-  require(!targets.empty(), "no targets: the body could move freely");
   for (std::size_t h = 0; h < targets.size(); ++h) {
     const Target& target = targets[h];
     const std::string name = "target " + std::to_string(h);
@@ -60,10 +88,13 @@ void Problem::validate() const {
     require(static_cast<int>(target.position.size()) == dim() && finite(target.position),
             name + ": position must be " + std::to_string(dim()) + " finite numbers");
   }
-  require(alpha > 0 && std::isfinite(alpha), "alpha must be positive");
+  require(alpha >= 0 && std::isfinite(alpha), "alpha must not be negative");
   require(incompressibility >= 0 && std::isfinite(incompressibility),
           "incompressibility must not be negative");
   require(margin >= 0 && std::isfinite(margin), "margin must not be negative");
+  require(largest_stretch > margin, "largest_stretch must be above the margin");
+  require_compatible_targets(*this);
+  require_held_components(*this);
 }
 
 std::vector<double> unit_weights(const assembly::Elements& elements) {

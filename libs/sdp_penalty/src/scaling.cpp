@@ -4,6 +4,7 @@
 
 #include <isostretch/linalg/decompositions.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace isostretch::sdp_penalty {
@@ -33,67 +34,171 @@ Small<D> get(Columns& columns, std::size_t block) {
   return A;
 }
 
-// With Z = L L^T, Y = M M^T and M^T L = U diag(l) V^T:  r = L V diag(l)^-1/2,  r^-1 = diag(l)^-1/2 U^T M^T.
+// Cyclic Jacobi: A becomes diagonal, Q (unless null) its eigenvectors in columns. For sizes that linalg has
+// no kernel for.
 template <int D>
-bool compute_scaling(const std::vector<double>& Z, const std::vector<double>& Y, Scaling& scaling) {
-  constexpr std::size_t entries = D * D;
-  const std::size_t count = Z.size() / entries;
-  Columns product(count, entries), U(count, entries), sigma(count, D);
-  std::vector<Small<D>> Mt(count);
-  bool positive = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    Small<D> L, M;
-    positive = cholesky(load<D>(Z.data() + i * entries), L) && positive;
-    positive = cholesky(load<D>(Y.data() + i * entries), M) && positive;
-    Mt[i] = transposed(M);
-    put(Mt[i] * L, product, i);
-  }
-  if (!positive) return false;
-  linalg::signed_svd(D, {product.data.data(), U.data.data(), sigma.data.data(), nullptr, count, count});
-  scaling.inverse.resize(count * entries);
-  scaling.weight.resize(count * entries);
-  scaling.l.resize(count * D);
-  for (std::size_t i = 0; i < count; ++i) {
-    Small<D> inverse = transposed(get<D>(U, i)) * Mt[i];
-    for (int k = 0; k < D; ++k) {
-      const double l = sigma(i, static_cast<std::size_t>(k));
-      if (!(l > 0)) return false;
-      scaling.l[i * D + static_cast<std::size_t>(k)] = l;
-      for (int c = 0; c < D; ++c) inverse(k, c) /= std::sqrt(l);
+void jacobi(Small<D>& A, Small<D>* Q) {
+  constexpr int most_sweeps = 30;
+  if (Q) *Q = identity<D>();
+  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    double off = 0, diagonal = 0;
+    for (int i = 0; i < D; ++i) {
+      diagonal += A(i, i) * A(i, i);
+      for (int j = 0; j < i; ++j) off += A(i, j) * A(i, j);
     }
-    store(inverse, scaling.inverse.data() + i * entries);
-    store(transposed(inverse) * inverse, scaling.weight.data() + i * entries);
+    if (!(off > 1e-34 * diagonal)) return;
+    for (int p = 0; p < D; ++p)
+      for (int q = p + 1; q < D; ++q) {
+        if (A(p, q) == 0) continue;
+        const double theta = (A(q, q) - A(p, p)) / (2 * A(p, q));
+        const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(theta, 1.0));
+        const double c = 1 / std::hypot(t, 1.0), s = t * c;
+        const auto turn = [c, s](double& u, double& v) {
+          const double before = u;
+          u = c * before - s * v;
+          v = s * before + c * v;
+        };
+        for (int k = 0; k < D; ++k) turn(A(k, p), A(k, q));
+        for (int k = 0; k < D; ++k) turn(A(p, k), A(q, k));
+        for (int k = 0; Q && k < D; ++k) turn((*Q)(k, p), (*Q)(k, q));
+      }
   }
-  return true;
+}
+
+constexpr std::size_t batch = 512;  // blocks a thread takes at once, small enough for its cache
+
+// With Z = L L^T, Y = M M^T and M^T L = U diag(l) V^T:  r = L V diag(l)^-1/2,  r^-1 = diag(l)^-1/2 U^T M^T.
+// U and sigma of square matrices: entries of U row by row after one another, sigma in no order. The large
+// ones by the eigenvectors of A A^T, which is near a multiple of the identity on the central path.
+template <int D>
+void left_vectors(const std::vector<Small<D>>& A, std::vector<Small<D>>& U, double* sigma) {
+  constexpr std::size_t entries = D * D;
+  const std::size_t count = A.size();
+  U.resize(count);
+  if constexpr (D > 3) {
+    for (std::size_t i = 0; i < count; ++i) {
+      Small<D> square = A[i] * transposed(A[i]);
+      jacobi(square, &U[i]);
+      for (int k = 0; k < D; ++k) sigma[i * D + static_cast<std::size_t>(k)] = std::sqrt(square(k, k));
+    }
+  } else {
+    Columns matrices(count, entries), vectors(count, entries), values(count, D);
+    for (std::size_t i = 0; i < count; ++i) put(A[i], matrices, i);
+    linalg::signed_svd(
+        D, {matrices.data.data(), vectors.data.data(), values.data.data(), nullptr, count, count});
+    for (std::size_t i = 0; i < count; ++i) {
+      U[i] = get<D>(vectors, i);
+      for (std::size_t k = 0; k < D; ++k) sigma[i * D + k] = values(i, k);
+    }
+  }
 }
 
 template <int D>
-void compute_eigen(const std::vector<double>& A, std::vector<double>& lambda, std::vector<double>* Q) {
+bool compute_scaling(const double* Z, const double* Y, std::size_t count, double* scaled_inverse,
+                     double* weight, double* l) {
+  constexpr std::size_t entries = D * D;
+  std::vector<Small<D>> Mt(count), product(count), U;
+  bool positive = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    Small<D> L, M;
+    positive = cholesky(load<D>(Z + i * entries), L) && positive;
+    positive = cholesky(load<D>(Y + i * entries), M) && positive;
+    Mt[i] = transposed(M);
+    product[i] = Mt[i] * L;
+  }
+  if (!positive) return false;
+  left_vectors<D>(product, U, l);
+  for (std::size_t i = 0; i < count; ++i) {
+    Small<D> inverse = transposed(U[i]) * Mt[i];
+    for (int k = 0; k < D; ++k) {
+      const double lk = l[i * D + static_cast<std::size_t>(k)];
+      positive = lk > 0 && positive;
+      for (int c = 0; c < D; ++c) inverse(k, c) /= std::sqrt(lk);
+    }
+    store(inverse, scaled_inverse + i * entries);
+    store(transposed(inverse) * inverse, weight + i * entries);
+  }
+  return positive;
+}
+
+template <int D>
+bool compute_all_scalings(const std::vector<double>& Z, const std::vector<double>& Y, Scaling& scaling) {
+  constexpr std::size_t entries = D * D;
+  const std::size_t count = Z.size() / entries;
+  scaling.inverse.resize(count * entries);
+  scaling.weight.resize(count * entries);
+  scaling.l.resize(count * D);
+  std::vector<unsigned char> positive(count / batch + 1, 1);
+#pragma omp parallel for schedule(static) if (count > least_parallel)
+  for (std::size_t first = 0; first < count; first += batch)
+    positive[first / batch] = compute_scaling<D>(
+        &Z[first * entries], &Y[first * entries], std::min(batch, count - first),
+        &scaling.inverse[first * entries], &scaling.weight[first * entries], &scaling.l[first * D]);
+  return std::all_of(positive.begin(), positive.end(), [](unsigned char p) { return p != 0; });
+}
+
+template <int D>
+void compute_eigen(const double* A, std::size_t count, double* lambda, double* Q) {
+  constexpr std::size_t entries = D * D;
+  if constexpr (D > 3) {
+    for (std::size_t i = 0; i < count; ++i) {
+      Small<D> diagonal = load<D>(A + i * entries), vectors;
+      jacobi(diagonal, Q ? &vectors : nullptr);
+      for (int k = 0; k < D; ++k) lambda[i * D + static_cast<std::size_t>(k)] = diagonal(k, k);
+      if (Q) store(vectors, Q + i * entries);
+    }
+    return;
+  } else {
+    Columns matrices(count, entries), vectors(count, entries), values(count, D);
+    for (std::size_t i = 0; i < count; ++i) put(load<D>(A + i * entries), matrices, i);
+    linalg::symmetric_eigen(
+        D, {matrices.data.data(), values.data.data(), Q ? vectors.data.data() : nullptr, count, count});
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < D; ++k) lambda[i * D + k] = values(i, k);
+      if (Q) store(get<D>(vectors, i), Q + i * entries);
+    }
+  }
+}
+
+template <int D>
+void compute_all_eigen(const std::vector<double>& A, std::vector<double>& lambda, std::vector<double>* Q) {
   constexpr std::size_t entries = D * D;
   const std::size_t count = A.size() / entries;
-  Columns matrices(count, entries), vectors(count, entries), values(count, D);
-  for (std::size_t i = 0; i < count; ++i) put(load<D>(A.data() + i * entries), matrices, i);
-  linalg::symmetric_eigen(
-      D, {matrices.data.data(), values.data.data(), Q ? vectors.data.data() : nullptr, count, count});
   lambda.resize(count * D);
   if (Q) Q->resize(count * entries);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < D; ++k) lambda[i * D + k] = values(i, k);
-    if (Q) store(get<D>(vectors, i), Q->data() + i * entries);
-  }
+#pragma omp parallel for schedule(static) if (count > least_parallel)
+  for (std::size_t first = 0; first < count; first += batch)
+    compute_eigen<D>(A.data() + first * entries, std::min(batch, count - first), lambda.data() + first * D,
+                     Q ? Q->data() + first * entries : nullptr);
 }
 
 }  // namespace
 
-bool Scaling::compute(int dim, const std::vector<double>& Z, const std::vector<double>& Y) {
-  return dim == 2 ? compute_scaling<2>(Z, Y, *this) : compute_scaling<3>(Z, Y, *this);
+bool Scaling::compute(int size, const std::vector<double>& Z, const std::vector<double>& Y) {
+  switch (size) {
+    case 2:
+      return compute_all_scalings<2>(Z, Y, *this);
+    case 3:
+      return compute_all_scalings<3>(Z, Y, *this);
+    case 4:
+      return compute_all_scalings<4>(Z, Y, *this);
+    default:
+      return compute_all_scalings<6>(Z, Y, *this);
+  }
 }
 
-void block_eigen(int dim, const std::vector<double>& A, std::vector<double>& lambda, std::vector<double>* Q) {
-  if (dim == 2)
-    compute_eigen<2>(A, lambda, Q);
-  else
-    compute_eigen<3>(A, lambda, Q);
+void block_eigen(int size, const std::vector<double>& A, std::vector<double>& lambda,
+                 std::vector<double>* Q) {
+  switch (size) {
+    case 2:
+      return compute_all_eigen<2>(A, lambda, Q);
+    case 3:
+      return compute_all_eigen<3>(A, lambda, Q);
+    case 4:
+      return compute_all_eigen<4>(A, lambda, Q);
+    default:
+      return compute_all_eigen<6>(A, lambda, Q);
+  }
 }
 
 }  // namespace isostretch::sdp_penalty

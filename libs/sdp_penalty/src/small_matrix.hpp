@@ -8,6 +8,9 @@
 
 namespace isostretch::sdp_penalty {
 
+// Loops over fewer elements than this are over before other threads have woken up.
+inline constexpr std::size_t least_parallel = 1000;
+
 template <int D>
 struct Small {
   std::array<double, static_cast<std::size_t>(D* D)> entry{};
@@ -65,6 +68,16 @@ double dot(const Small<D>& A, const Small<D>& B) {
   double sum = 0;
   for (std::size_t k = 0; k < A.entry.size(); ++k) sum += A.entry[k] * B.entry[k];
   return sum;
+}
+
+template <int D>
+double determinant(const Small<D>& A) {
+  if constexpr (D == 2)
+    return A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0);
+  else
+    return A(0, 0) * (A(1, 1) * A(2, 2) - A(1, 2) * A(2, 1)) -
+           A(0, 1) * (A(1, 0) * A(2, 2) - A(1, 2) * A(2, 0)) +
+           A(0, 2) * (A(1, 0) * A(2, 1) - A(1, 1) * A(2, 0));
 }
 
 // Lower triangular L with L L^T = A; false where a pivot is not positive.

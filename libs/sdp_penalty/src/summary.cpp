@@ -8,6 +8,10 @@ std::string_view status_name(Status status) noexcept {
       return "not_run";
     case Status::optimal:
       return "optimal";
+    case Status::inadmissible:
+      return "inadmissible";
+    case Status::path_end:
+      return "path_end";
     case Status::iterations:
       return "iterations";
     case Status::callback:

@@ -1,9 +1,10 @@
 #include "system.hpp"
 
-#include "small_matrix.hpp"
+#include "element.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace isostretch::sdp_penalty {
 namespace {
@@ -12,214 +13,378 @@ std::size_t size(int n) {
   return static_cast<std::size_t>(n);
 }
 
-// R^T F, not made symmetric.
-template <int D>
-Small<D> unrotated(const Problem& problem, std::size_t e, const Vector& x) {
-  constexpr int nodes = D + 1;
-  const int* node = problem.elements.nodes.data() + e * nodes;
-  const double* g = problem.elements.gradients.data() + e * nodes * D;
-  Small<D> F;
-  for (int a = 0; a < nodes; ++a)
-    for (int r = 0; r < D; ++r)
-      for (int c = 0; c < D; ++c) F(r, c) += x[node[a] * D + r] * g[a * D + c];
-  return transposed(load<D>(problem.rotations.data() + e * D * D)) * F;
-}
-
 template <class Two, class Three>
 auto by_dim(int dim, const Two& two, const Three& three) {
   return dim == 2 ? two() : three();
 }
 
+std::vector<int> hard_nodes(const Problem& problem) {
+  std::vector<int> nodes;
+  for (const Target& target : problem.targets)
+    if (target.hard) nodes.push_back(target.node);
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
 }  // namespace
 
-System::System(const Problem& problem) : problem_(problem), dim_(problem.dim()), nodes_(problem.dim() + 1) {
-  slot_size_ = size(nodes_ * (nodes_ + 1) / 2 * dim_ * dim_);
+System::System(const Problem& problem)
+    : problem_(&problem),
+      dim_(problem.dim()),
+      nodes_(problem.dim() + 1),
+      element_nodes_(problem.elements.nodes),
+      hard_nodes_(hard_nodes(problem)) {
   assembly::PatternBuilder builder(problem.node_count());
   for (std::size_t e = 0; e < blocks(); ++e)
-    builder.add_clique(problem.elements.nodes.data() + e * size(nodes_), nodes_);
-  pattern_ = assembly::HessianPattern(assembly::FreeUnknowns(dim_, problem.node_count()), std::move(builder));
-  index_entries();
+    builder.add_clique(element_nodes_.data() + e * size(nodes_), nodes_);
+  std::vector<bool> pinned(hard_nodes_.empty() ? 0 : size(dim_ * problem.node_count()), false);
+  for (const int node : hard_nodes_)
+    for (int r = 0; r < dim_; ++r) pinned[size(dim_ * node + r)] = true;
+  pattern_ = assembly::HessianPattern(assembly::FreeUnknowns(dim_, problem.node_count(), pinned),
+                                      std::move(builder));
+  index_blocks();
+  index_nodes();
   quadratic_ = pattern_.zero_matrix();
-  linear_.setZero(unknowns());
+  bind(problem);
+}
+
+bool System::has_structure_of(const Problem& problem) const {
+  return problem.dim() == dim_ && problem.elements.nodes == element_nodes_ &&
+         dim_ * problem.node_count() == pattern_.unknowns().dofs() && hard_nodes(problem) == hard_nodes_;
+}
+
+void System::bind(const Problem& problem) {
+  problem_ = &problem;
   by_dim(
       dim_, [&] { assemble_quadratic<2>(); }, [&] { assemble_quadratic<3>(); });
 }
 
-void System::index_entries() {
-  const int d = dim_;
-  entry_.resize(blocks() * slot_size_);
-  std::size_t k = 0;
+void System::index_blocks() {
+  block_start_.assign(pattern_.block_count() + 1, 0);
+  std::vector<std::pair<std::size_t, std::uint64_t>> found;
+  found.reserve(blocks() * size(nodes_ * (nodes_ + 1) / 2));
   for (std::size_t e = 0; e < blocks(); ++e) {
-    const int* node = problem_.elements.nodes.data() + e * size(nodes_);
+    const int* node = element_nodes_.data() + e * size(nodes_);
     for (int a = 0; a < nodes_; ++a)
-      for (int b = a; b < nodes_; ++b) {
-        const int* positions = pattern_.positions(pattern_.block(node[a], node[b]));
-        // Slots hold (row of a, column of b); the pattern has the larger node in the rows.
-        for (int r = 0; r < d; ++r)
-          for (int c = 0; c < d; ++c)
-            entry_[k++] = node[a] < node[b] ? positions[c * d + r] : positions[r * d + c];
-      }
+      for (int b = 0; b < nodes_; ++b)
+        if (node[a] >= node[b]) {
+          found.push_back({pattern_.block(node[a], node[b]), 16 * e + 4 * size(a) + size(b)});
+          ++block_start_[found.back().first + 1];
+        }
+  }
+  for (std::size_t i = 0; i < pattern_.block_count(); ++i) block_start_[i + 1] += block_start_[i];
+  pair_.resize(found.size());
+  std::vector<std::size_t> next(block_start_.begin(), block_start_.end() - 1);
+  for (const auto& [block, pair] : found) pair_[next[block]++] = pair;
+}
+
+void System::index_nodes() {
+  node_start_.assign(size(problem_->node_count()) + 1, 0);
+  for (const int node : element_nodes_) ++node_start_[size(node) + 1];
+  for (std::size_t i = 0; i + 1 < node_start_.size(); ++i) node_start_[i + 1] += node_start_[i];
+  corner_.resize(element_nodes_.size());
+  std::vector<std::size_t> next(node_start_.begin(), node_start_.end() - 1);
+  for (std::size_t k = 0; k < element_nodes_.size(); ++k) corner_[next[size(element_nodes_[k])]++] = k;
+}
+
+// Sums what block(e, a, b, sum) adds for every pair of corners, a in the rows, onto the values.
+template <int D, class Block>
+void System::gather_blocks(std::vector<double>& values, const Block& block) const {
+#pragma omp parallel for schedule(static) if (pattern_.block_count() > least_parallel)
+  for (std::size_t i = 0; i < pattern_.block_count(); ++i) {
+    Small<D> sum;
+    for (std::size_t k = block_start_[i]; k < block_start_[i + 1]; ++k)
+      block(static_cast<std::size_t>(pair_[k] / 16), size(static_cast<int>(pair_[k] / 4 % 4)),
+            size(static_cast<int>(pair_[k] % 4)), sum);
+    const int* position = pattern_.positions(i);
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c)
+        if (position[r * D + c] >= 0) values[size(position[r * D + c])] += sum(r, c);
   }
 }
 
-void System::scatter(std::size_t e, const double* slot, double* values) const {
-  const int* entry = entry_.data() + e * slot_size_;
-  for (std::size_t k = 0; k < slot_size_; ++k)
-    if (entry[k] >= 0) values[entry[k]] += slot[k];
+template <int D>
+void System::gather_nodes(const std::vector<double>& corners, Vector& g) const {
+  const int count = problem_->node_count();
+#pragma omp parallel for schedule(static) if (size(count) > least_parallel)
+  for (int node = 0; node < count; ++node)
+    for (std::size_t k = node_start_[size(node)]; k < node_start_[size(node) + 1]; ++k)
+      for (int r = 0; r < D; ++r) g[node * D + r] += corners[corner_[k] * D + size(r)];
 }
 
-// 2 w |F|^2 / 2, the trace term, and alpha on targets; c collects what is linear in x, constant_ the rest.
-template <int Dim>
+// 2 w |F|^2 / 2, the trace term, and 2 alpha at soft targets.
+template <int D>
 void System::assemble_quadratic() {
-  constexpr int nodes = Dim + 1;
-  const double kappa = problem_.incompressibility;
-  std::vector<double> slot(slot_size_);
-  for (std::size_t e = 0; e < blocks(); ++e) {
-    const int* node = problem_.elements.nodes.data() + e * nodes;
-    const double* g = problem_.elements.gradients.data() + e * nodes * Dim;
-    const Small<Dim> R = load<Dim>(problem_.rotations.data() + e * Dim * Dim);
-    const double w = problem_.weights[e];
-    double Rg[nodes][Dim];  // the gradient of tr(R^T F), and of F : R
-    for (int a = 0; a < nodes; ++a)
-      for (int r = 0; r < Dim; ++r) {
-        Rg[a][r] = 0;
-        for (int c = 0; c < Dim; ++c) Rg[a][r] += R(r, c) * g[a * Dim + c];
-        linear_[node[a] * Dim + r] += (2 * w + kappa * Dim) * Rg[a][r];
+  const double kappa = problem_->incompressibility;
+  std::fill(quadratic_.value.begin(), quadratic_.value.end(), 0.0);
+  gather_blocks<D>(quadratic_.value, [&](std::size_t e, std::size_t a, std::size_t b, Small<D>& sum) {
+    const double* g = gradients<D>(*problem_, e);
+    const Small<D> R = rotation<D>(*problem_, e);
+    double dot = 0;
+    for (std::size_t c = 0; c < D; ++c) dot += g[a * D + c] * g[b * D + c];
+    for (int r = 0; r < D; ++r) sum(r, r) += 2 * problem_->weights[e] * dot;
+    if (kappa == 0) return;
+    std::array<double, D> Ra{}, Rb{};  // gradients of tr(R^T F)
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c) {
+        Ra[size(r)] += R(r, c) * g[a * D + size(c)];
+        Rb[size(r)] += R(r, c) * g[b * D + size(c)];
       }
-    std::size_t k = 0;
-    for (int a = 0; a < nodes; ++a)
-      for (int b = a; b < nodes; ++b) {
-        double dot = 0;
-        for (int c = 0; c < Dim; ++c) dot += g[a * Dim + c] * g[b * Dim + c];
-        for (int r = 0; r < Dim; ++r)
-          for (int c = 0; c < Dim; ++c)
-            slot[k++] = (r == c ? 2 * w * dot : 0.0) + kappa * Rg[a][r] * Rg[b][c];
-      }
-    scatter(e, slot.data(), quadratic_.value.data());
-    constant_ += Dim * w + 0.5 * kappa * Dim * Dim;
-  }
-  for (const Target& target : problem_.targets) {
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c) sum(r, c) += kappa * Ra[size(r)] * Rb[size(c)];
+  });
+  for (const Target& target : problem_->targets) {
+    if (target.hard) continue;
     const int* diagonal = pattern_.positions(pattern_.block(target.node, target.node));
-    for (int r = 0; r < Dim; ++r) {
-      const double d = target.position[size(r)];
-      quadratic_.value[size(diagonal[r * Dim + r])] += 2 * problem_.alpha;
-      linear_[target.node * Dim + r] += 2 * problem_.alpha * d;
-      constant_ += problem_.alpha * d * d;
-    }
+    for (int r = 0; r < D; ++r) quadratic_.value[size(diagonal[r * D + r])] += 2 * problem_->alpha;
   }
 }
 
-// Term by term instead of 1/2 x^T H0 x - c^T x + constant, which would lose digits to cancellation.
-double System::objective(const Vector& x) const {
-  double sum = target_energy(x);
-  const auto elastic = [&]<int D>() {
-    double total = 0;
-    for (std::size_t e = 0; e < blocks(); ++e) {
-      Small<D> G = unrotated<D>(problem_, e, x);  // |F - R| = |R^T F - I|
-      double trace = -D;
-      for (int i = 0; i < D; ++i) {
-        trace += G(i, i);
-        G(i, i) -= 1;
-      }
-      total += problem_.weights[e] * dot(G, G) + 0.5 * problem_.incompressibility * trace * trace;
-    }
-    return total;
-  };
-  return sum + (dim_ == 2 ? elastic.operator()<2>() : elastic.operator()<3>());
+Vector System::start() const {
+  Vector x = Vector::Zero(pattern_.unknowns().dofs());
+  for (const Target& target : problem_->targets)
+    for (int r = 0; target.hard && r < dim_; ++r) x[target.node * dim_ + r] = target.position[size(r)];
+  return x;
 }
 
-double System::target_energy(const Vector& x) const {
-  double sum = 0;
-  for (const Target& target : problem_.targets)
-    for (int r = 0; r < dim_; ++r) {
-      const double distance = x[target.node * dim_ + r] - target.position[size(r)];
-      sum += distance * distance;
-    }
-  return problem_.alpha * sum;
+Vector System::unknown_part(const Vector& positions) const {
+  Vector result(unknowns());
+  for (int i = 0; i < unknowns(); ++i) result[i] = positions[pattern_.unknowns().dof(i)];
+  return result;
+}
+
+Vector System::spread_out(const Vector& reduced) const {
+  Vector result = Vector::Zero(pattern_.unknowns().dofs());
+  for (int i = 0; i < unknowns(); ++i) result[pattern_.unknowns().dof(i)] = reduced[i];
+  return result;
+}
+
+double System::change_of_objective(const Vector& g, const Vector& dx, double step) const {
+  const Vector direction = unknown_part(dx);
+  Vector image(direction.size());
+  quadratic_.multiply(direction.data(), image.data());
+  return step * g.dot(dx) + 0.5 * step * step * direction.dot(image);
 }
 
 void System::gradient(const Vector& x, Vector& g) const {
-  g.resize(unknowns());
-  quadratic_.multiply(x.data(), g.data());
-  g -= linear_;
+  g.setZero(pattern_.unknowns().dofs());
+  const auto elastic = [&]<int D>() {
+    std::vector<double> corners(element_nodes_.size() * D);
+#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
+    for (std::size_t e = 0; e < blocks(); ++e) {
+      Small<D> G = unrotated<D>(*problem_, e, x);
+      double trace = -D;
+      for (int i = 0; i < D; ++i) trace += G(i, i);
+      for (int i = 0; i < D; ++i) G(i, i) -= 1;
+      for (double& entry : G.entry) entry *= 2 * problem_->weights[e];
+      for (int i = 0; i < D; ++i) G(i, i) += problem_->incompressibility * trace;
+      const Small<D> P = rotation<D>(*problem_, e) * G;
+      for (int a = 0; a <= D; ++a)
+        for (int r = 0; r < D; ++r) {
+          double& entry = corners[(e * (D + 1) + size(a)) * D + size(r)];
+          entry = 0;
+          for (int c = 0; c < D; ++c) entry += P(r, c) * gradients<D>(*problem_, e)[a * D + c];
+        }
+    }
+    gather_nodes<D>(corners, g);
+  };
+  by_dim(
+      dim_, [&] { elastic.operator()<2>(); }, [&] { elastic.operator()<3>(); });
+  for (const Target& target : problem_->targets)
+    for (int r = 0; r < dim_; ++r) {
+      double& entry = g[target.node * dim_ + r];
+      if (!target.hard) entry += 2 * problem_->alpha * (x[target.node * dim_ + r] - target.position[size(r)]);
+    }
 }
 
-void System::constraints(const Vector& x, std::vector<double>& S) const {
+void System::constraints(const Vector& x, Blocks& S) const {
   S.resize(blocks() * block_size());
   const auto fill = [&]<int D>() {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
     for (std::size_t e = 0; e < blocks(); ++e)
-      store(symmetric_part(unrotated<D>(problem_, e, x)), S.data() + e * D * D);
+      store(symmetric_part(unrotated<D>(*problem_, e, x)), S.data() + e * D * D);
   };
   by_dim(
       dim_, [&] { fill.operator()<2>(); }, [&] { fill.operator()<3>(); });
 }
 
-void System::add_adjoint(const std::vector<double>& M, Vector& g) const {
+void System::add_adjoint(const Blocks& M, Vector& g) const {
   const auto add = [&]<int D>() {
-    constexpr int nodes = D + 1;
+    std::vector<double> corners(element_nodes_.size() * D);
+#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
     for (std::size_t e = 0; e < blocks(); ++e) {
-      const int* node = problem_.elements.nodes.data() + e * nodes;
-      const double* b = problem_.elements.gradients.data() + e * nodes * D;
-      const Small<D> RM = load<D>(problem_.rotations.data() + e * D * D) * load<D>(M.data() + e * D * D);
-      for (int a = 0; a < nodes; ++a)
-        for (int r = 0; r < D; ++r)
-          for (int c = 0; c < D; ++c) g[node[a] * D + r] += RM(r, c) * b[a * D + c];
+      const Small<D> RM = rotation<D>(*problem_, e) * load<D>(M.data() + e * D * D);
+      for (int a = 0; a <= D; ++a)
+        for (int r = 0; r < D; ++r) {
+          double& entry = corners[(e * (D + 1) + size(a)) * D + size(r)];
+          entry = 0;
+          for (int c = 0; c < D; ++c) entry += RM(r, c) * gradients<D>(*problem_, e)[a * D + c];
+        }
     }
+    gather_nodes<D>(corners, g);
   };
   by_dim(
       dim_, [&] { add.operator()<2>(); }, [&] { add.operator()<3>(); });
 }
 
-// With q_a = R W b_a the block of nodes a and b is 1/2 (b_a . W b_b R W R^T + q_b q_a^T).
-template <int Dim>
-void System::element_weighted(const double* W, std::size_t e, double* slot) const {
-  constexpr int nodes = Dim + 1;
-  const double* g = problem_.elements.gradients.data() + e * nodes * Dim;
-  const Small<Dim> R = load<Dim>(problem_.rotations.data() + e * Dim * Dim);
-  const Small<Dim> RW = R * load<Dim>(W), P = RW * transposed(R);
-  double q[nodes][Dim], Wg[nodes][Dim];
-  for (int a = 0; a < nodes; ++a)
-    for (int r = 0; r < Dim; ++r) {
-      q[a][r] = Wg[a][r] = 0;
-      for (int c = 0; c < Dim; ++c) {
-        q[a][r] += RW(r, c) * g[a * Dim + c];
-        Wg[a][r] += W[r * Dim + c] * g[a * Dim + c];
+// Blocks of 2 D x 2 D: `diagonal` times the identity, and R^T F with its transpose beside.
+Blocks System::stretch_blocks(const Vector& x, double diagonal) const {
+  const auto d = size(dim_), entries = 4 * d * d;
+  Blocks B(blocks() * entries, 0.0);
+  const auto fill = [&]<int D>() {
+#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
+    for (std::size_t e = 0; e < blocks(); ++e) {
+      const Small<D> G = unrotated<D>(*problem_, e, x);
+      double* b = B.data() + e * entries;
+      for (std::size_t r = 0; r < D; ++r) {
+        b[r * 2 * D + r] = b[(D + r) * 2 * D + D + r] = diagonal;
+        for (std::size_t c = 0; c < D; ++c)
+          b[r * 2 * D + D + c] = b[(D + c) * 2 * D + r] = G.entry[r * D + c];
       }
     }
-  for (int a = 0; a < nodes; ++a)
-    for (int b = a; b < nodes; ++b) {
-      double dot = 0;
-      for (int c = 0; c < Dim; ++c) dot += g[a * Dim + c] * Wg[b][c];
-      for (int r = 0; r < Dim; ++r)
-        for (int c = 0; c < Dim; ++c) *slot++ = 0.5 * (dot * P(r, c) + q[b][r] * q[a][c]);
-    }
+  };
+  by_dim(
+      dim_, [&] { fill.operator()<2>(); }, [&] { fill.operator()<3>(); });
+  return B;
 }
 
-void System::weighted(const std::vector<double>& W, sparse::SymmetricMatrix& matrix) const {
-  matrix.value = quadratic_.value;
-  std::vector<double> slot(slot_size_);
+Constrained System::constrained(const Vector& x) const {
+  Constrained result;
+  constraints(x, result.orientation);
+  if (problem_->bounds_stretch()) result.stretch = stretch_blocks(x, problem_->largest_stretch);
+  return result;
+}
+
+Constrained System::change_of_constrained(const Vector& dx) const {
+  Constrained result;
+  constraints(dx, result.orientation);
+  if (problem_->bounds_stretch()) result.stretch = stretch_blocks(dx, 0);
+  return result;
+}
+
+// <M, B> has twice the upper right quarter of M with R^T F.
+void System::add_stretch_adjoint(const Blocks& M, Vector& g) const {
+  const auto d = size(dim_);
+  Blocks quarter(blocks() * d * d);
+  for (std::size_t e = 0; e < blocks(); ++e)
+    for (std::size_t r = 0; r < d; ++r)
+      for (std::size_t c = 0; c < d; ++c)
+        quarter[(e * d + r) * d + c] = 2 * M[(e * 2 * d + r) * 2 * d + d + c];
+  add_adjoint(quarter, g);
+}
+
+// With W = [[P, Q], [Q^T, T]] the form is 2 tr(P D T D^T) + 2 tr(Q^T D Q^T D), D = R^T dF.
+template <int D>
+void System::stretch_weighted_blocks(const Blocks& W, sparse::SymmetricMatrix& matrix) const {
+  gather_blocks<D>(matrix.value, [&](std::size_t e, std::size_t a, std::size_t b, Small<D>& sum) {
+    const double* w = W.data() + e * 4 * D * D;
+    const double *ga = gradients<D>(*problem_, e) + a * D, *gb = gradients<D>(*problem_, e) + b * D;
+    Small<D> P;
+    std::array<double, D> Qa{}, Qb{};
+    double dot = 0;
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c) {
+        P(r, c) = w[r * 2 * D + c];
+        Qa[size(r)] += w[r * 2 * D + D + c] * ga[c];
+        Qb[size(r)] += w[r * 2 * D + D + c] * gb[c];
+        dot += ga[r] * w[(D + r) * 2 * D + D + c] * gb[c];
+      }
+    Small<D> N;
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c) N(r, c) = 2 * (P(r, c) * dot + Qb[size(r)] * Qa[size(c)]);
+    const Small<D> R = rotation<D>(*problem_, e), K = R * N * transposed(R);
+    for (std::size_t k = 0; k < K.entry.size(); ++k) sum.entry[k] += K.entry[k];
+  });
+}
+
+void System::add_stretch_weighted(const Blocks& W, sparse::SymmetricMatrix& matrix) const {
+  by_dim(
+      dim_, [&] { stretch_weighted_blocks<2>(W, matrix); }, [&] { stretch_weighted_blocks<3>(W, matrix); });
+}
+
+void subtract_adjoint(const System& system, Constrained multipliers, Vector& g) {
+  for (double& entry : multipliers.orientation) entry = -entry;
+  system.add_adjoint(multipliers.orientation, g);
+  if (multipliers.stretch.empty()) return;
+  for (double& entry : multipliers.stretch) entry = -entry;
+  system.add_stretch_adjoint(multipliers.stretch, g);
+}
+
+// With q_a = R W g_a the block of corners a and b is 1/2 (g_a . W g_b R W R^T + q_b q_a^T).
+template <int D>
+void System::weighted_blocks(const Blocks& W, sparse::SymmetricMatrix& matrix) {
+  constexpr std::size_t stride = D * D + (D + 1) * D;
+  image_.resize(blocks() * stride);
+#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
   for (std::size_t e = 0; e < blocks(); ++e) {
-    by_dim(
-        dim_, [&] { element_weighted<2>(W.data() + e * 4, e, slot.data()); },
-        [&] { element_weighted<3>(W.data() + e * 9, e, slot.data()); });
-    scatter(e, slot.data(), matrix.value.data());
+    const Small<D> R = rotation<D>(*problem_, e), RW = R * load<D>(W.data() + e * D * D);
+    double* image = image_.data() + e * stride;
+    store(RW * transposed(R), image);
+    for (int a = 0; a <= D; ++a)
+      for (int r = 0; r < D; ++r) {
+        double& q = image[D * D + a * D + r];
+        q = 0;
+        for (int c = 0; c < D; ++c) q += RW(r, c) * gradients<D>(*problem_, e)[a * D + c];
+      }
   }
+  gather_blocks<D>(matrix.value, [&](std::size_t e, std::size_t a, std::size_t b, Small<D>& sum) {
+    const double *P = image_.data() + e * stride, *q = P + D * D, *g = gradients<D>(*problem_, e);
+    const double *w = W.data() + e * D * D, *ga = g + a * D, *gb = g + b * D;
+    double dot = 0;
+    for (std::size_t r = 0; r < D; ++r)
+      for (std::size_t c = 0; c < D; ++c) dot += ga[r] * w[r * D + c] * gb[c];
+    for (std::size_t r = 0; r < D; ++r)
+      for (std::size_t c = 0; c < D; ++c)
+        sum.entry[r * D + c] += 0.5 * (dot * P[r * D + c] + q[b * D + r] * q[a * D + c]);
+  });
+}
+
+void System::weighted(const Blocks& W, sparse::SymmetricMatrix& matrix) {
+  matrix.value = quadratic_.value;
+  by_dim(
+      dim_, [&] { weighted_blocks<2>(W, matrix); }, [&] { weighted_blocks<3>(W, matrix); });
+}
+
+// With U = R Q and G_a = Q^T g_a the block is U N U^T, N_jk = 1/2 (h_jk G_ak G_bj + [j = k] sum_l h_jl G_al
+// G_bl).
+template <int D>
+void System::curved_blocks(const SpectralCurvature& curvature, sparse::SymmetricMatrix& matrix) const {
+  gather_blocks<D>(matrix.value, [&](std::size_t e, std::size_t a, std::size_t b, Small<D>& sum) {
+    if (!curvature.active[e]) return;
+    const Small<D> Q = load<D>(curvature.Q.data() + e * D * D), U = rotation<D>(*problem_, e) * Q;
+    const Small<D> h = load<D>(curvature.h.data() + e * D * D);
+    const double *ga = gradients<D>(*problem_, e) + a * D, *gb = gradients<D>(*problem_, e) + b * D;
+    std::array<double, D> Ga{}, Gb{};
+    for (int k = 0; k < D; ++k)
+      for (int c = 0; c < D; ++c) {
+        Ga[size(k)] += Q(c, k) * ga[c];
+        Gb[size(k)] += Q(c, k) * gb[c];
+      }
+    Small<D> N;
+    for (int j = 0; j < D; ++j)
+      for (int k = 0; k < D; ++k) {
+        N(j, k) += 0.5 * h(j, k) * Ga[size(k)] * Gb[size(j)];
+        N(j, j) += 0.5 * h(j, k) * Ga[size(k)] * Gb[size(k)];
+      }
+    const Small<D> K = U * N * transposed(U);
+    for (std::size_t k = 0; k < K.entry.size(); ++k) sum.entry[k] += K.entry[k];
+  });
+}
+
+void System::curved(const SpectralCurvature& curvature, sparse::SymmetricMatrix& matrix) const {
+  matrix.value = quadratic_.value;
+  by_dim(
+      dim_, [&] { curved_blocks<2>(curvature, matrix); }, [&] { curved_blocks<3>(curvature, matrix); });
 }
 
 std::vector<double> System::determinants(const Vector& x) const {
   std::vector<double> result(blocks());
-  for (std::size_t e = 0; e < blocks(); ++e) {
-    if (dim_ == 2) {
-      const auto F = unrotated<2>(problem_, e, x);
-      result[e] = F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0);
-    } else {
-      const auto F = unrotated<3>(problem_, e, x);
-      result[e] = F(0, 0) * (F(1, 1) * F(2, 2) - F(1, 2) * F(2, 1)) -
-                  F(0, 1) * (F(1, 0) * F(2, 2) - F(1, 2) * F(2, 0)) +
-                  F(0, 2) * (F(1, 0) * F(2, 1) - F(1, 1) * F(2, 0));
-    }
-  }
+  const auto fill = [&]<int D>() {
+#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
+    for (std::size_t e = 0; e < blocks(); ++e) result[e] = determinant(unrotated<D>(*problem_, e, x));
+  };
+  by_dim(
+      dim_, [&] { fill.operator()<2>(); }, [&] { fill.operator()<3>(); });
   return result;
 }
 

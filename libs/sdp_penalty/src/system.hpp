@@ -6,58 +6,112 @@
 #include <isostretch/sparse/matrix.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace isostretch::sdp_penalty {
 
-// The linear algebra of a Problem: quadratic objective 1/2 x^T H0 x - c^T x + constant, and the linear map A
-// from positions to the symmetric matrices S_i = sym(R_i^T F_i), one dim x dim block a constraint, stored row
-// by row with all entries.
+// Symmetric matrices of dim x dim, one an element, stored row by row with all entries.
+using Blocks = std::vector<double>;
+
+// Of positions, or of their multipliers: S_i = sym(R_i^T F_i), and B_i = [[b I, R_i^T F_i], [F_i^T R_i, b
+// I]], of twice the size, where the problem bounds stretch.
+struct Constrained {
+  Blocks orientation, stretch;
+};
+
+// A spectral term's second derivative at every element: sum_jk h_jk (Q^T dS Q)_jk^2.
+struct SpectralCurvature {
+  Blocks Q;                           // orthonormal, vectors in columns
+  std::vector<double> h;              // dim x dim an element, symmetric, not negative
+  std::vector<unsigned char> active;  // 0: nothing here, Q and h are not looked at
+};
+
+// The linear algebra of a Problem: the quadratic objective f with Hessian H0, and the linear map A from
+// positions to the matrices S_i = sym(R_i^T F_i). Positions have dim entries a node; matrices and the right
+// sides that go with them are those of the unknowns that no hard target holds. Sums run in a fixed order, in
+// parallel.
 class System {
  public:
-  // Keeps a reference to the problem.
   explicit System(const Problem& problem);
 
-  int dim() const { return dim_; }
-  int unknowns() const { return problem_.dim() * problem_.node_count(); }
-  std::size_t blocks() const { return static_cast<std::size_t>(problem_.element_count()); }
-  std::size_t block_size() const { return static_cast<std::size_t>(dim_ * dim_); }
+  // Whether the problem has the nodes of these elements and these hard targets, so that bind() serves.
+  bool has_structure_of(const Problem& problem) const;
+  // Takes the values of another problem; it must outlive their use.
+  void bind(const Problem& problem);
 
-  double objective(const Vector& x) const;
-  // Of the targets' term alone.
-  double target_energy(const Vector& x) const;
+  const Problem& problem() const { return *problem_; }
+  int dim() const { return dim_; }
+  std::size_t blocks() const { return static_cast<std::size_t>(problem_->element_count()); }
+  std::size_t block_size() const { return static_cast<std::size_t>(dim_ * dim_); }
+  int unknowns() const { return pattern_.unknowns().size(); }
+
+  // Hard targets where they belong, 0 elsewhere.
+  Vector start() const;
+  // Entries of the unknowns, and back with 0 for what is held.
+  Vector unknown_part(const Vector& positions) const;
+  Vector spread_out(const Vector& unknowns) const;
+
+  // f(x + dx) - f(x) without cancellation, from the gradient at x.
+  double change_of_objective(const Vector& gradient, const Vector& dx, double step) const;
   void gradient(const Vector& x, Vector& g) const;
-  const Vector& linear() const { return linear_; }
 
   // S = A x.
-  void constraints(const Vector& x, std::vector<double>& S) const;
-  // g += A^T M for symmetric blocks M.
-  void add_adjoint(const std::vector<double>& M, Vector& g) const;
+  void constraints(const Vector& x, Blocks& S) const;
+  // g += A^T M for symmetric M.
+  void add_adjoint(const Blocks& M, Vector& g) const;
+
+  // The same with what bounds stretch: at x, and its change along dx.
+  Constrained constrained(const Vector& x) const;
+  Constrained change_of_constrained(const Vector& dx) const;
+  // g += the adjoint of M for B.
+  void add_stretch_adjoint(const Blocks& M, Vector& g) const;
+  // matrix += the form sum tr(W dB W dB).
+  void add_stretch_weighted(const Blocks& W, sparse::SymmetricMatrix& matrix) const;
 
   // H0 itself, with the pattern of every matrix here.
   const sparse::SymmetricMatrix& quadratic() const { return quadratic_; }
-  // matrix = H0 + A^T (W (x) W) A for symmetric blocks W: the form sum tr(W dS W dS).
-  void weighted(const std::vector<double>& W, sparse::SymmetricMatrix& matrix) const;
+  // matrix = H0 + A^T (W (x) W) A for symmetric W: the form sum tr(W dS W dS).
+  void weighted(const Blocks& W, sparse::SymmetricMatrix& matrix);
+  // matrix = H0 + A^T (curvature) A.
+  void curved(const SpectralCurvature& curvature, sparse::SymmetricMatrix& matrix) const;
 
   // det F of every element.
   std::vector<double> determinants(const Vector& x) const;
 
  private:
-  template <int Dim>
-  void assemble_quadratic();
-  template <int Dim>
-  void element_weighted(const double* W, std::size_t e, double* slot) const;
-  void scatter(std::size_t e, const double* slot, double* values) const;
-  void index_entries();
+  template <int D, class Block>
+  void gather_blocks(std::vector<double>& values, const Block& block) const;
+  template <int D>
+  void gather_nodes(const std::vector<double>& corners, Vector& g) const;
 
-  const Problem& problem_;
+  void index_blocks();
+  void index_nodes();
+  template <int D>
+  void assemble_quadratic();
+  template <int D>
+  void weighted_blocks(const Blocks& W, sparse::SymmetricMatrix& matrix);
+  Blocks stretch_blocks(const Vector& x, double diagonal) const;
+  template <int D>
+  void stretch_weighted_blocks(const Blocks& W, sparse::SymmetricMatrix& matrix) const;
+  template <int D>
+  void curved_blocks(const SpectralCurvature& curvature, sparse::SymmetricMatrix& matrix) const;
+
+  const Problem* problem_;
   int dim_, nodes_;
-  std::size_t slot_size_;  // entries of an element: blocks a <= b of nodes, dim x dim each, row by row
+  std::vector<int> element_nodes_, hard_nodes_;  // what the structure was made for
   assembly::HessianPattern pattern_;
+  // Pairs of corners that add to a block of the pattern: 16 e + 4 a + b, with a at the larger node.
+  std::vector<std::size_t> block_start_;
+  std::vector<std::uint64_t> pair_;
+  // Corners of every node: (dim + 1) e + a.
+  std::vector<std::size_t> node_start_;
+  std::vector<std::size_t> corner_;
   sparse::SymmetricMatrix quadratic_;
-  std::vector<int> entry_;  // [element][slot entry]: where in the values of a matrix; -1 above the diagonal
-  Vector linear_;
-  double constant_ = 0;
+  std::vector<double> image_;  // scratch of weighted(): R W R^T, then R W g_a for every corner
 };
+
+// g -= the adjoints of multipliers: the gradient of the Lagrangian from that of the objective.
+void subtract_adjoint(const System& system, Constrained multipliers, Vector& g);
 
 }  // namespace isostretch::sdp_penalty

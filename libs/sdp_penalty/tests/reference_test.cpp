@@ -1,97 +1,105 @@
 // The reference instances of the inversion-free problem, whose optima are bracketed to 1e-10.
-#include <isostretch/core/error.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
-#include <isostretch/sdp_penalty/interior_point.hpp>
+#include "reference.hpp"
+
+#include <isostretch/sdp_penalty/solver.hpp>
 
 #include <doctest/doctest.h>
-#include <nlohmann/json.hpp>
-
-#include <filesystem>
-#include <fstream>
-#include <string>
 
 using namespace isostretch;
-using nlohmann::json;
-using sdp_penalty::Problem;
+using sdp_penalty::Method;
+using sdp_penalty::Options;
+using sdp_penalty::Penalty;
+using sdp_penalty::Status;
+using sdp_penalty::Summary;
 
 namespace {
 
-assembly::Elements elements_of(const json& j) {
-  const auto vertices = j["vertices"].get<std::vector<std::vector<double>>>();
-  const auto elements = j["elements"].get<std::vector<std::vector<int>>>();
-  if (j["dim"] == 2) {
-    mesh::Points2 V(vertices.size(), 2);
-    mesh::Triangles F(elements.size(), 3);
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      for (std::size_t c = 0; c < 2; ++c) V(static_cast<int>(i), static_cast<int>(c)) = vertices[i][c];
-    for (std::size_t i = 0; i < elements.size(); ++i)
-      for (std::size_t c = 0; c < 3; ++c) F(static_cast<int>(i), static_cast<int>(c)) = elements[i][c];
-    return assembly::elements_from(mesh::elements(V, F));
-  }
-  mesh::TetMesh mesh;
-  mesh.vertices.resize(static_cast<int>(vertices.size()), 3);
-  mesh.tets.resize(static_cast<int>(elements.size()), 4);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      mesh.vertices(static_cast<int>(i), static_cast<int>(c)) = vertices[i][c];
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    for (std::size_t c = 0; c < 4; ++c) mesh.tets(static_cast<int>(i), static_cast<int>(c)) = elements[i][c];
-  return assembly::elements_from(mesh::elements(mesh));
-}
-
-Problem problem_of(const json& j) {
-  Problem problem;
-  problem.elements = elements_of(j);
-  for (const auto& R : j["ex_rotations_rowmajor"])
-    for (const double entry : R) problem.rotations.push_back(entry);
-  problem.weights = j["element_weights"].is_null() ? sdp_penalty::unit_weights(problem.elements)
-                                                   : j["element_weights"].get<std::vector<double>>();
-  const auto ids = j["target_vertex_ids"].get<std::vector<int>>();
-  const auto positions = j["target_positions"].get<std::vector<std::vector<double>>>();
-  for (std::size_t h = 0; h < ids.size(); ++h) problem.targets.push_back({ids[h], positions[h]});
-  problem.alpha = j["alpha"];
-  problem.incompressibility =
-      j["kappa_incompressibility"].is_null() ? 0.0 : double(j["kappa_incompressibility"]);
-  return problem;
+void report(const std::string& name, const Summary& summary) {
+  MESSAGE(name << ": " << sdp_penalty::status_name(summary.status) << ", " << summary.iterations
+               << " iterations, " << summary.linear_solves << " solves, energy " << summary.energy << ", gap "
+               << summary.gap << ", " << summary.min_eigenvalue << ", " << summary.seconds << " s");
 }
 
 }  // namespace
 
 TEST_CASE("reference optima: interior point, both margins") {
-  const std::filesystem::path folder = std::string(ISOSTRETCH_SOURCE_DIR) + "/../shared/sdp";
-  if (!std::filesystem::exists(folder)) {
-    MESSAGE("skipped without the reference instances");
-    return;
-  }
-  int seen = 0;
-  for (const auto& file : std::filesystem::directory_iterator(folder)) {
-    if (file.path().extension() != ".json") continue;
-    ++seen;
-    const json j = json::parse(std::ifstream(file.path()));
-    const std::string name = j["name"];
-    CAPTURE(name);
-    Problem problem = problem_of(j);
+  const auto references = tests::references();
+  if (references.empty()) MESSAGE("skipped without the reference instances");
+  for (const auto& [name, json, reference] : references) {
+    sdp_penalty::Problem problem = reference;
     for (const std::string kind : {"sdp", "sdp_eps"}) {
+      CAPTURE(name);
       CAPTURE(kind);
       problem.margin = kind == "sdp" ? 0.0 : 1e-6;
-      sdp_penalty::InteriorPointOptions options;
+      Options options;
       options.gap_tolerance = 1e-8;
       Vector x;
-      const auto summary = sdp_penalty::solve_interior_point(problem, x, options);
-      const double lower = j[kind]["E_lower"], upper = j[kind]["E_upper"];
-      MESSAGE(name << " " << kind << ": " << sdp_penalty::status_name(summary.status) << ", "
-                   << summary.iterations << " iterations, " << summary.linear_solves << " solves, energy "
-                   << summary.energy << ", gap " << summary.gap << ", " << summary.seconds << " s");
-      CHECK(summary.status == sdp_penalty::Status::optimal);
+      const Summary summary = sdp_penalty::solve(problem, x, options);
+      const double lower = json[kind]["E_lower"], upper = json[kind]["E_upper"];
+      report(name + " " + kind, summary);
+      CHECK(summary.status == Status::optimal);
       CHECK(summary.energy >= lower * (1 - 1e-9));
       CHECK(summary.energy <= upper * (1 + 2e-8));
       CHECK(summary.lower_bound <= upper * (1 + 1e-9));
       CHECK(summary.min_eigenvalue >= problem.margin);
       CHECK(summary.inverted == 0);
       CHECK(summary.trace.front().energy ==
-            doctest::Approx(j["unconstrained"]["E"].get<double>()).epsilon(1e-9));
-      CHECK(summary.linear_solves <= 22);
+            doctest::Approx(json["unconstrained"]["E"].get<double>()).epsilon(1e-9));
+      CHECK(summary.linear_solves <= 20);
     }
   }
-  CHECK(seen == 10);
+}
+
+TEST_CASE("reference optima: the penalty path converges to that of epsilon, whichever the penalty") {
+  for (const auto& [name, json, problem] : tests::references())
+    for (const Penalty penalty : sdp_penalty::all_penalties()) {
+      CAPTURE(name);
+      CAPTURE(sdp_penalty::penalty_name(penalty));
+      Options options;
+      options.method = Method::penalty;
+      options.penalty.penalty = penalty;
+      options.gap_tolerance = 3e-5;  // epsilon costs that much of some of them
+      Vector x;
+      const Summary summary = sdp_penalty::solve(problem, x, options);
+      report(name + " " + std::string(sdp_penalty::penalty_name(penalty)), summary);
+      const double lower = json["sdp"]["E_lower"], upper = json["sdp_eps"]["E_upper"];
+      CHECK(summary.status == Status::optimal);
+      CHECK(summary.energy >= lower * (1 - 1e-6));
+      CHECK(summary.energy <= upper * (1 + 3e-5));
+      CHECK(summary.inverted == 0);
+    }
+}
+
+TEST_CASE("reference optima: the whole penalty path reaches the optimum of epsilon to 1e-6") {
+  for (const auto& [name, json, problem] : tests::references()) {
+    CAPTURE(name);
+    Options options;
+    options.method = Method::penalty;
+    options.gap_tolerance = 1e-15;  // never: the path runs to its end
+    Vector x;
+    const Summary summary = sdp_penalty::solve(problem, x, options);
+    report(name, summary);
+    CHECK(summary.status == Status::path_end);
+    const double optimum = json["sdp_eps"]["E_upper"];
+    CHECK(summary.energy == doctest::Approx(optimum).epsilon(1e-6));
+    CHECK(summary.min_eigenvalue >= 0);
+    CHECK(summary.inverted == 0);
+  }
+}
+
+TEST_CASE("reference optima: the augmented Lagrangian to 1e-5") {
+  for (const auto& [name, json, problem] : tests::references()) {
+    CAPTURE(name);
+    Options options;
+    options.method = Method::augmented_lagrangian;
+    options.gap_tolerance = 1e-5;
+    Vector x;
+    const Summary summary = sdp_penalty::solve(problem, x, options);
+    report(name, summary);
+    CHECK(summary.status == Status::optimal);
+    const double lower = json["sdp"]["E_lower"], upper = json["sdp"]["E_upper"];
+    CHECK(summary.energy >= lower * (1 - 1e-9));
+    CHECK(summary.energy <= upper * (1 + 1e-5));
+    CHECK(summary.inverted == 0);
+  }
 }

@@ -1,5 +1,5 @@
 // A square of two triangles is asked to turn inside out, and does not.
-#include <isostretch/sdp_penalty/interior_point.hpp>
+#include <isostretch/sdp_penalty/solver.hpp>
 
 int main() {
   using namespace isostretch;
@@ -15,7 +15,7 @@ int main() {
   problem.weights = sdp_penalty::volume_weights(problem.elements);
   problem.targets = {{0, {0, 0}}, {1, {-1, 0}}, {2, {-1, 1}}, {3, {0, 1}}};
   Vector x;
-  const auto summary = sdp_penalty::solve_interior_point(problem, x);
+  const auto summary = sdp_penalty::solve(problem, x);
   const bool inverted_before = summary.trace.front().inverted == 2;
   return summary.status == sdp_penalty::Status::optimal && inverted_before && summary.inverted == 0 ? 0 : 1;
 }

@@ -27,6 +27,10 @@ struct Elements {
   void validate() const;
 };
 
+// Component of every node, counted from 0 by smallest node; -1 for a node of no element. Elements that share
+// a node belong together.
+std::vector<int> component_of_nodes(const Elements& elements);
+
 // From any struct with the same members, mesh::ElementArrays for one.
 template <class Arrays>
 Elements elements_from(Arrays arrays) {

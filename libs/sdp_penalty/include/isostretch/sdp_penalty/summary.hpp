@@ -9,10 +9,13 @@ namespace isostretch::sdp_penalty {
 
 enum class Status {
   not_run,
-  optimal,     // feasible, and the certified gap is within the tolerance
-  iterations,  // max_iterations reached
-  callback,    // stopped by the callback
-  failed       // rounding or a failed factorization ended it
+  optimal,       // feasible, and the certified gap is within the tolerance
+  inadmissible,  // no x to speak of is strictly feasible: the ex-rotations (or hard targets) contradict each
+                 // other
+  path_end,      // the penalty factor's last level is done: feasible or certified it is not
+  iterations,    // max_iterations reached
+  callback,      // stopped by the callback
+  failed         // rounding or a failed factorization ended it
 };
 
 std::string_view status_name(Status status) noexcept;
@@ -24,16 +27,18 @@ struct Iteration {
   double energy = 0;
   double lower_bound = 0;      // on the energy of every feasible x, whatever this iterate is
   double min_eigenvalue = 0;   // of all S_i
-  double complementarity = 0;  // mean eigenvalue of Z Y: the interior point's distance from the boundary
+  double complementarity = 0;  // interior point: mean eigenvalue of Z Y, the distance from the boundary
+  double penalty_factor = 0;   // tau, of the methods that have one
   double step = 0;
-  int inverted = 0;  // elements with det F <= 0
+  int inverted = 0;    // elements with det F <= 0
+  int infeasible = 0;  // elements with an eigenvalue of S below the margin
 };
 
 struct Summary {
   Status status = Status::not_run;
   std::string message = "not run";
   int iterations = 0;
-  int linear_solves = 0;  // factorizations
+  int linear_solves = 0;  // factorizations, with that of H0 unless an earlier solve had made it
   double energy = std::numeric_limits<double>::quiet_NaN();
   double target_energy = std::numeric_limits<double>::quiet_NaN();
   double lower_bound = -std::numeric_limits<double>::infinity();
@@ -43,11 +48,18 @@ struct Summary {
   double min_eigenvalue = std::numeric_limits<double>::quiet_NaN();
   double min_determinant = std::numeric_limits<double>::quiet_NaN();
   int inverted = 0;
+  int infeasible = 0;
   double seconds = 0;
-  // Of `iterations` and `failed`: ten elements (or all) with the largest multipliers, largest first. Where
+  // Of what did not end `optimal`: ten elements (or all) with the largest multipliers, largest first. Where
   // they grow beyond bounds no x is strictly feasible: the ex-rotations there contradict each other.
   std::vector<int> suspects;
+  // Of `inadmissible`: no x whose nodes are all within `extent` of the middle of the targets, on every axis,
+  // has S_i >= this for all elements. Rigorous up to rounding.
+  double unreachable_eigenvalue = std::numeric_limits<double>::quiet_NaN();
+  double extent = std::numeric_limits<double>::quiet_NaN();
   std::vector<Iteration> trace;
+
+  bool feasible() const { return infeasible == 0 && status != Status::not_run; }
 };
 
 }  // namespace isostretch::sdp_penalty

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <isostretch/core/vector.hpp>
+#include <isostretch/sdp_penalty/options.hpp>
+#include <isostretch/sdp_penalty/problem.hpp>
+#include <isostretch/sdp_penalty/summary.hpp>
+
+#include <functional>
+#include <memory>
+
+namespace isostretch::sdp_penalty {
+
+enum class CallbackAction { proceed, stop };
+using IterationCallback = std::function<CallbackAction(const Iteration&, const Vector& x)>;
+
+// Solves one problem after the other. What does not change between them is kept: the sparsity with its
+// analysis as long as elements and hard targets are on the same nodes, the factor of H0 as long as weights,
+// gradients, alpha and the nodes of targets are the same (with incompressibility also the ex-rotations). That
+// is what dragging a handle needs. Results are those of a new Solver, to the bit, but for warm starts.
+class Solver {
+ public:
+  // Throws Error for options that make no sense.
+  explicit Solver(const Options& options = {});
+  ~Solver();
+  Solver(Solver&&) noexcept;
+  Solver& operator=(Solver&&) noexcept;
+
+  // x becomes the result and may be empty on entry: what it holds does not matter. Every iterate can be shown
+  // as a preview. Throws Error for misuse; numerical outcomes are the Summary's status.
+  //
+  // The bound is rigorous at every iterate, for any multipliers Y_i >= 0 (weak duality): the energy of every
+  // feasible position is at least f(x) - sum <Y_i, S_i - margin I> - 1/2 r^T H0^-1 r with r the gradient of
+  // the Lagrangian. Every method ends when x is feasible and the bound within gap_tolerance.
+  Summary solve(const Problem& problem, Vector& x, const IterationCallback& callback = {});
+
+ private:
+  struct Kept;
+  Options options_;
+  std::unique_ptr<Kept> kept_;
+};
+
+// With a Solver for this problem alone.
+Summary solve(const Problem& problem, Vector& x, const Options& options = {},
+              const IterationCallback& callback = {});
+
+}  // namespace isostretch::sdp_penalty

@@ -1,0 +1,42 @@
+#include "methods.hpp"
+#include "path.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace isostretch::sdp_penalty {
+
+void augmented_lagrangian(Workspace& work, const Options& options, Progress& progress, Vector& x) {
+  const AugmentedLagrangianOptions& own = options.augmented_lagrangian;
+  constexpr int most_rounds = 1000;  // max_iterations comes first: a round takes a factorization at least
+  const bool warm = own.warm_start && work.last_Y.size() > 0;
+  Blocks Y(work.system.blocks() * work.system.block_size(), 0.0), shift(Y.size());
+  SpectralPenalty penalty;
+  penalty.tau = own.first;
+  penalty.offset = work.system.problem().margin + own.epsilon;
+  penalty.shift = &shift;
+  if (warm) {
+    x = work.last_x;
+    Y = work.last_Y;
+    penalty.tau = work.last_tau;
+  }
+  Path path(work, options, progress, x);
+  double tolerance = 1e-8;
+  double violation = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < most_rounds && !progress.ended(); ++round) {
+    for (std::size_t k = 0; k < Y.size(); ++k) shift[k] = Y[k] / (2 * penalty.tau);
+    path.minimise(penalty, tolerance);
+    tolerance = std::max(0.1 * tolerance, 1e-14);  // multipliers are as good as the minimiser is
+    Y = path.multiplier();
+    const double left = std::max(0.0, penalty.offset - progress.last().min_eigenvalue);
+    if (left > 0.25 * violation) penalty.tau = std::min(10 * penalty.tau, own.last);
+    violation = left;
+  }
+  work.last_x = x;
+  work.last_Y = std::move(Y);
+  work.last_tau = penalty.tau;
+  if (!progress.ended())
+    progress.give_up(Status::path_end, "the multipliers did not settle", x, {work.last_Y, {}});
+}
+
+}  // namespace isostretch::sdp_penalty

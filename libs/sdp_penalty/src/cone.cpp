@@ -1,0 +1,128 @@
+#include "cone.hpp"
+
+#include "small_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace isostretch::sdp_penalty {
+namespace {
+
+// out_i = T_i A_i T_i^T, or with the transposes T_i^T A_i T_i.
+template <int D>
+Blocks congruence(const Blocks& T, const Blocks& A, bool transpose) {
+  Blocks out(A.size());
+  const std::size_t count = A.size() / (D * D);
+#pragma omp parallel for schedule(static) if (count > least_parallel)
+  for (std::size_t i = 0; i < count; ++i) {
+    Small<D> t = load<D>(T.data() + i * D * D);
+    if (transpose) t = transposed(t);
+    store(t * load<D>(A.data() + i * D * D) * transposed(t), out.data() + i * D * D);
+  }
+  return out;
+}
+
+Blocks congruence(std::size_t size, const Blocks& T, const Blocks& A, bool transpose) {
+  if (size == 2) return congruence<2>(T, A, transpose);
+  if (size == 3) return congruence<3>(T, A, transpose);
+  if (size == 4) return congruence<4>(T, A, transpose);
+  return congruence<6>(T, A, transpose);
+}
+
+// Largest t <= limit with diag(l) + t D_i positive semi-definite for all blocks D_i.
+double largest_step(std::size_t d, const std::vector<double>& l, const Blocks& D, double limit) {
+  Blocks relative(D.size());
+  const std::size_t count = D.size() / (d * d);
+#pragma omp parallel for schedule(static) if (count > least_parallel)
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t r = 0; r < d; ++r)
+      for (std::size_t c = 0; c < d; ++c)
+        relative[(i * d + r) * d + c] = D[(i * d + r) * d + c] / std::sqrt(l[i * d + r] * l[i * d + c]);
+  std::vector<double> lambda;
+  block_eigen(static_cast<int>(d), relative, lambda, nullptr);
+  const double smallest = *std::min_element(lambda.begin(), lambda.end());
+  return smallest < 0 ? std::min(limit, -1 / smallest) : limit;
+}
+
+}  // namespace
+
+void Cone::start(Blocks M, double floor, double least) {
+  M_ = std::move(M);
+  floor_ = floor;
+  std::vector<double> lambda;
+  Blocks Q;
+  block_eigen(static_cast<int>(size_), M_, lambda, &Q);
+  Z_.assign(M_.size(), 0.0);
+  Y_.assign(M_.size(), 0.0);
+  for (std::size_t i = 0; i < lambda.size() / size_; ++i)
+    for (std::size_t k = 0; k < size_; ++k) {
+      const double z = std::max(lambda[i * size_ + k] - floor_, least);
+      for (std::size_t r = 0; r < size_; ++r)
+        for (std::size_t c = 0; c < size_; ++c) {
+          const double qq = Q[at(i, r, k)] * Q[at(i, c, k)];
+          Z_[at(i, r, c)] += z * qq;
+          Y_[at(i, r, c)] += qq / z;
+        }
+    }
+}
+
+// C with C_jk = 2 c_jk / (l_j + l_k), c = centre I - diag(l)^2 - sym(dZ dY).
+void Cone::aim(double centre, bool correct) {
+  target_.assign(Z_.size(), 0.0);
+  const std::size_t count = Z_.size() / (size_ * size_);
+#pragma omp parallel for schedule(static) if (count > least_parallel)
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t r = 0; r < size_; ++r)
+      for (std::size_t c = 0; c < size_; ++c) {
+        const double lr = scaling_.l[i * size_ + r], lc = scaling_.l[i * size_ + c];
+        double value = r == c ? centre - lr * lr : 0.0;
+        for (std::size_t k = 0; correct && k < size_; ++k)
+          value -= 0.5 * (dZ_[at(i, r, k)] * dY_[at(i, k, c)] + dY_[at(i, r, k)] * dZ_[at(i, k, c)]);
+        target_[at(i, r, c)] = 2 * value / (lr + lc);
+      }
+}
+
+// M - floor I - Z.
+Blocks Cone::residual() const {
+  Blocks result(Z_.size());
+  const std::size_t entries = size_ * size_;
+  for (std::size_t k = 0; k < result.size(); ++k)
+    result[k] = M_[k] - Z_[k] - (k % entries % (size_ + 1) == 0 ? floor_ : 0.0);
+  return result;
+}
+
+Blocks Cone::pull() const {
+  Blocks scaled = congruence(size_, scaling_.inverse, residual(), false);
+  for (std::size_t k = 0; k < scaled.size(); ++k) scaled[k] = target_[k] - scaled[k];
+  Blocks result = congruence(size_, scaling_.inverse, scaled, true);
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] += Y_[k];
+  return result;
+}
+
+void Cone::set_direction(const Blocks& change_of_M) {
+  change_Z_ = residual();
+  for (std::size_t k = 0; k < change_Z_.size(); ++k) change_Z_[k] += change_of_M[k];
+  dZ_ = congruence(size_, scaling_.inverse, change_Z_, false);
+  dY_.resize(dZ_.size());
+  for (std::size_t k = 0; k < dZ_.size(); ++k) dY_[k] = target_[k] - dZ_[k];
+}
+
+double Cone::longest_step(double limit) const {
+  return std::min(largest_step(size_, scaling_.l, dZ_, limit), largest_step(size_, scaling_.l, dY_, limit));
+}
+
+void Cone::advance(double step) {
+  const Blocks change_Y = congruence(size_, scaling_.inverse, dY_, true);
+  for (std::size_t k = 0; k < Z_.size(); ++k) {
+    Z_[k] += step * change_Z_[k];
+    Y_[k] += step * change_Y[k];
+  }
+}
+
+double Cone::complementarity() const {
+  return std::inner_product(Z_.begin(), Z_.end(), Y_.begin(), 0.0);
+}
+
+}  // namespace isostretch::sdp_penalty

@@ -1,0 +1,46 @@
+#include "methods.hpp"
+#include "path.hpp"
+
+#include <string>
+
+namespace isostretch::sdp_penalty {
+namespace {
+
+// Looser levels cost more Newton steps in all than they save.
+constexpr double level_tolerance = 1e-8;
+
+double first_factor(const PenaltyOptions& options) {
+  if (options.first > 0) return options.first;
+  return options.as_published ? 1 : 1e3;
+}
+
+double last_factor(const PenaltyOptions& options) {
+  if (options.last > 0) return options.last;
+  if (options.as_published) return 1e15;
+  return options.penalty == Penalty::cubic ? 1e21 : 1e12;
+}
+
+}  // namespace
+
+void penalty_path(Workspace& work, const Options& options, Progress& progress, Vector& x) {
+  const PenaltyOptions& path_options = options.penalty;
+  Path path(work, options, progress, x);
+  SpectralPenalty penalty;
+  penalty.kind = path_options.penalty;
+  penalty.offset = work.system.problem().margin + path_options.epsilon;
+  const double last = last_factor(path_options) * (1 + 1e-9);  // powers of mu are rounded
+  int unfinished = 0;
+  for (penalty.tau = first_factor(path_options); penalty.tau <= last; penalty.tau *= path_options.factor) {
+    const Path::End end = path_options.as_published ? path.minimise_as_published(penalty)
+                                                    : path.minimise(penalty, level_tolerance);
+    if (end == Path::End::progress) return;
+    if (end == Path::End::limit) ++unfinished;
+  }
+  if (progress.certified())
+    return progress.end(Status::optimal, "feasible, and the certified gap is within gap_tolerance");
+  std::string reason = "the path ends at the penalty factor " + std::to_string(last);
+  if (unfinished > 0) reason += ", " + std::to_string(unfinished) + " levels not converged";
+  progress.give_up(Status::path_end, reason, x, {path.multiplier(), {}});
+}
+
+}  // namespace isostretch::sdp_penalty

@@ -1,0 +1,96 @@
+#include "element.hpp"
+
+#include <isostretch/core/error.hpp>
+#include <isostretch/core/timer.hpp>
+#include <isostretch/linalg/decompositions.hpp>
+#include <isostretch/sdp_penalty/relinearize.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace isostretch::sdp_penalty {
+namespace {
+
+template <int D>
+std::vector<double> rotations_of(const assembly::Elements& elements, const Vector& x) {
+  constexpr std::size_t entries = D * D;
+  const auto count = static_cast<std::size_t>(elements.element_count());
+  std::vector<double> F(count * entries), R(count * entries), S(count * entries), rotations(count * entries);
+  for (std::size_t e = 0; e < count; ++e) {
+    const Small<D> gradient = deformation_gradient<D>(elements, e, x);
+    for (std::size_t r = 0; r < D; ++r)
+      for (std::size_t c = 0; c < D; ++c) F[(r + D * c) * count + e] = gradient.entry[r * D + c];
+  }
+  linalg::polar(D, {F.data(), R.data(), S.data(), count, count});
+  for (std::size_t e = 0; e < count; ++e)
+    for (std::size_t r = 0; r < D; ++r)
+      for (std::size_t c = 0; c < D; ++c) rotations[e * entries + r * D + c] = R[(r + D * c) * count + e];
+  return rotations;
+}
+
+}  // namespace
+
+std::vector<double> nearest_rotations(const assembly::Elements& elements, const Vector& x) {
+  return elements.dim == 2 ? rotations_of<2>(elements, x) : rotations_of<3>(elements, x);
+}
+
+void RelinearizeOptions::validate() const {
+  solve.validate();
+  const auto require = [](bool condition, const char* text) {
+    if (!condition) throw Error(std::string("re-linearised iteration: ") + text);
+  };
+  require(max_rounds > 0, "max_rounds must be positive");
+  require(tolerance >= 0 && std::isfinite(tolerance), "tolerance must not be negative");
+  require(soft_penalty > 0 && std::isfinite(soft_penalty), "soft_penalty must be positive");
+}
+
+Summary soft_answer(const Problem& problem, Vector& x, double soft_penalty, const Options& options) {
+  Options soft = options;
+  soft.method = Method::penalty;
+  soft.max_iterations = 0;
+  soft.penalty = PenaltyOptions();
+  soft.penalty.epsilon = 0;
+  soft.penalty.first = std::min(1.0, soft_penalty);
+  soft.penalty.last = soft_penalty;
+  return solve(problem, x, soft);
+}
+
+RelinearizeSummary solve_relinearized(const Problem& problem, Vector& x, const RelinearizeOptions& options,
+                                      const RoundCallback& callback) {
+  options.validate();
+  RelinearizeSummary result;
+  Problem round_problem = problem;
+  Solver solver(options.solve);
+  double before = std::numeric_limits<double>::infinity();
+  while (static_cast<int>(result.rounds.size()) < options.max_rounds && !result.settled && !result.stopped) {
+    const Timer timer;
+    RelinearizeRound round;
+    result.last = solver.solve(round_problem, x);
+    round.linear_solves = result.last.linear_solves;
+    round.status = result.last.status;
+    if (!result.last.feasible()) {
+      const Summary soft = soft_answer(round_problem, x, options.soft_penalty, options.solve);
+      round.soft = true;
+      round.linear_solves += soft.linear_solves;
+      round.min_eigenvalue = soft.min_eigenvalue;
+      round.inverted = soft.inverted;
+    } else {
+      round.min_eigenvalue = result.last.min_eigenvalue;
+      round.inverted = result.last.inverted;
+    }
+    round_problem.rotations = nearest_rotations(problem.elements, x);
+    round.energy = energy(round_problem, x);
+    round.seconds = timer.seconds();
+    result.rounds.push_back(round);
+    result.settled = !round.soft && before - round.energy <= options.tolerance * std::abs(round.energy);
+    before = round.soft ? std::numeric_limits<double>::infinity() : round.energy;
+    result.stopped = callback && callback(round, x) == CallbackAction::stop;
+  }
+  result.rotations = std::move(round_problem.rotations);
+  return result;
+}
+
+}  // namespace isostretch::sdp_penalty
