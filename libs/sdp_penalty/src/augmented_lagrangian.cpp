@@ -13,7 +13,8 @@ void augmented_lagrangian(Workspace& work, const Options& options, Progress& pro
   Blocks Y(work.system.blocks() * work.system.block_size(), 0.0), shift(Y.size());
   SpectralPenalty penalty;
   penalty.tau = own.first;
-  penalty.offset = work.system.problem().margin + own.epsilon;
+  double epsilon = own.epsilon;
+  penalty.offset = work.system.problem().margin + epsilon;
   penalty.shift = &shift;
   if (warm) {
     x = work.last_x;
@@ -31,6 +32,12 @@ void augmented_lagrangian(Workspace& work, const Options& options, Progress& pro
     const double left = std::max(0.0, penalty.offset - progress.last().min_eigenvalue);
     if (left > 0.25 * violation) penalty.tau = std::min(10 * penalty.tau, own.last);
     violation = left;
+    // Feasible with multipliers that have settled: only epsilon keeps the gap open.
+    if (left <= 0.1 * epsilon && !progress.ended()) {
+      epsilon *= 0.25 * std::min(1.0, options.gap_tolerance / progress.gap());
+      penalty.offset = work.system.problem().margin + epsilon;
+      violation = std::numeric_limits<double>::infinity();
+    }
   }
   work.last_x = x;
   work.last_Y = std::move(Y);

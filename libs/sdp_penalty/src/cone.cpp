@@ -48,7 +48,7 @@ double largest_step(std::size_t d, const std::vector<double>& l, const Blocks& D
 
 }  // namespace
 
-void Cone::start(Blocks M, double floor, double least) {
+void Cone::start(Blocks M, double floor, double least, double complementarity) {
   M_ = std::move(M);
   floor_ = floor;
   std::vector<double> lambda;
@@ -63,7 +63,7 @@ void Cone::start(Blocks M, double floor, double least) {
         for (std::size_t c = 0; c < size_; ++c) {
           const double qq = Q[at(i, r, k)] * Q[at(i, c, k)];
           Z_[at(i, r, c)] += z * qq;
-          Y_[at(i, r, c)] += qq / z;
+          Y_[at(i, r, c)] += complementarity * qq / z;
         }
     }
 }
@@ -82,6 +82,58 @@ void Cone::aim(double centre, bool correct) {
           value -= 0.5 * (dZ_[at(i, r, k)] * dY_[at(i, k, c)] + dY_[at(i, r, k)] * dZ_[at(i, k, c)]);
         target_[at(i, r, c)] = 2 * value / (lr + lc);
       }
+}
+
+// sym((diag(l) + step dZ) (diag(l) + step dY)).
+Blocks Cone::products_at(double step) const {
+  Blocks z = dZ_, y = dY_, products(dZ_.size());
+  const std::size_t count = Z_.size() / (size_ * size_);
+#pragma omp parallel for schedule(static) if (count > least_parallel)
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t r = 0; r < size_; ++r)
+      for (std::size_t c = 0; c < size_; ++c) {
+        const double l = r == c ? scaling_.l[i * size_ + r] : 0.0;
+        z[at(i, r, c)] = l + step * z[at(i, r, c)];
+        y[at(i, r, c)] = l + step * y[at(i, r, c)];
+      }
+    for (std::size_t r = 0; r < size_; ++r)
+      for (std::size_t c = 0; c < size_; ++c) {
+        double& sum = products[at(i, r, c)];
+        for (std::size_t k = 0; k < size_; ++k)
+          sum += 0.5 * (z[at(i, r, k)] * y[at(i, k, c)] + y[at(i, r, k)] * z[at(i, k, c)]);
+      }
+  }
+  return products;
+}
+
+void Cone::recentre(double step, double centre) {
+  std::vector<double> lambda;
+  Blocks Q;
+  block_eigen(static_cast<int>(size_), products_at(step), lambda, &Q);
+  for (double& value : lambda)
+    value = std::max(std::clamp(value, 0.1 * centre, 10 * centre) - value, -10 * centre);
+  const std::size_t count = Z_.size() / (size_ * size_);
+#pragma omp parallel for schedule(static) if (count > least_parallel)
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t r = 0; r < size_; ++r)
+      for (std::size_t c = 0; c < size_; ++c) {
+        double value = 0;
+        for (std::size_t k = 0; k < size_; ++k)
+          value += lambda[i * size_ + k] * Q[at(i, r, k)] * Q[at(i, c, k)];
+        target_[at(i, r, c)] += 2 * value / (scaling_.l[i * size_ + r] + scaling_.l[i * size_ + c]);
+      }
+}
+
+void Cone::keep_direction() {
+  kept_dZ_ = dZ_;
+  kept_dY_ = dY_;
+  kept_change_Z_ = change_Z_;
+}
+
+void Cone::restore_direction() {
+  dZ_.swap(kept_dZ_);
+  dY_.swap(kept_dY_);
+  change_Z_.swap(kept_change_Z_);
 }
 
 // M - floor I - Z.

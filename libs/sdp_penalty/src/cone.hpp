@@ -12,8 +12,8 @@ class Cone {
  public:
   explicit Cone(int size) : size_(static_cast<std::size_t>(size)) {}
 
-  // Z from M with eigenvalues of at least `least`, Y the inverse.
-  void start(Blocks M, double floor, double least);
+  // Z from M with eigenvalues of at least `least`, Y = complementarity Z^-1.
+  void start(Blocks M, double floor, double least, double complementarity);
   // M at the next x.
   void update(Blocks M) { M_ = std::move(M); }
 
@@ -25,10 +25,16 @@ class Cone {
   // What the scaled directions have to add up to: centre I - diag(l)^2, less the second-order term of the
   // direction before if asked.
   void aim(double centre, bool correct);
+  // Adds to the aim what would bring the eigenvalues of the scaled product of Z and Y at a longer step along
+  // the direction back between a tenth of `centre` and ten times that.
+  void recentre(double step, double centre);
   // The multipliers whose adjoint is minus this family's part of the gradient.
   Blocks pull() const;
   // From the change of M along dx.
   void set_direction(const Blocks& change_of_M);
+  // Puts the direction aside, and takes it back.
+  void keep_direction();
+  void restore_direction();
   // Largest step <= limit that keeps Z and Y positive semi-definite.
   double longest_step(double limit) const;
   void advance(double step);
@@ -43,11 +49,13 @@ class Cone {
     return (block * size_ + r) * size_ + c;
   }
   Blocks residual() const;
+  Blocks products_at(double step) const;
 
   std::size_t size_;
   double floor_ = 0;
   Scaling scaling_;
   Blocks M_, Z_, Y_, target_, dZ_, dY_, change_Z_;
+  Blocks kept_dZ_, kept_dY_, kept_change_Z_;
 };
 
 }  // namespace isostretch::sdp_penalty

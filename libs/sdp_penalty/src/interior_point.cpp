@@ -2,6 +2,8 @@
 #include "methods.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <string>
 #include <vector>
 
 namespace isostretch::sdp_penalty {
@@ -16,12 +18,16 @@ class InteriorPoint {
   InteriorPoint(Workspace& work, const Options& options, Progress& progress, Vector& x)
       : work_(work), system_(work.system), options_(options), progress_(progress), x_(x) {
     const double least = options_.interior_point.least_eigenvalue;
+    // Multipliers have the size of the weights.
+    const std::vector<double>& weights = system_.problem().weights;
+    const double complementarity =
+        std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
     const Constrained at_start = system_.constrained(x_);
     cones_.emplace_back(system_.dim());
-    cones_[0].start(at_start.orientation, system_.problem().margin + room, least);
+    cones_[0].start(at_start.orientation, system_.problem().margin + room, least, complementarity);
     if (system_.problem().bounds_stretch()) {
       cones_.emplace_back(2 * system_.dim());
-      cones_[1].start(at_start.stretch, room, least);
+      cones_[1].start(at_start.stretch, room, least, complementarity);
     }
   }
 
@@ -39,11 +45,34 @@ class InteriorPoint {
     if (!factorize()) return;
     // Predictor: all the way, no centring.
     const double mu = mean_complementarity();
-    solve_direction(0, false);
-    const double share = 1 - longest_step(1), centring = share * share * share;  // Mehrotra's
-    solve_direction(centring * mu, true);
-    const double fraction = options_.interior_point.step_fraction;
-    advance(fraction * longest_step(1 / fraction));
+    for (Cone& cone : cones_) cone.aim(0, false);
+    solve_direction();
+    const double share = 1 - longest_step(1), centre = share * share * share * mu;  // Mehrotra's
+    for (Cone& cone : cones_) cone.aim(centre, true);
+    solve_direction();
+    advance(fraction() * lengthened(centre));
+  }
+
+  double fraction() const { return options_.interior_point.step_fraction; }
+
+  // The longest step along the direction, after corrections that lengthen it (Gondzio 1996): each costs a
+  // solve with the factor there is, and is dropped when it does not pay.
+  double lengthened(double centre) {
+    double step = longest_step(1 / fraction());
+    for (int i = 0; i < options_.interior_point.centrality_corrections && fraction() * step < 0.98; ++i) {
+      const Vector before = dx_;
+      for (Cone& cone : cones_) cone.keep_direction();
+      for (Cone& cone : cones_) cone.recentre(std::min(1.0, 1.3 * step + 0.1), centre);
+      solve_direction();
+      const double longer = longest_step(1 / fraction());
+      if (longer < 1.05 * step) {
+        dx_ = before;
+        for (Cone& cone : cones_) cone.restore_direction();
+        break;
+      }
+      step = longer;
+    }
+    return step;
   }
 
   bool factorize() {
@@ -55,8 +84,7 @@ class InteriorPoint {
     return static_cast<bool>(result);
   }
 
-  void solve_direction(double centre, bool correct) {
-    for (Cone& cone : cones_) cone.aim(centre, correct);
+  void solve_direction() {
     Vector gradient;
     system_.gradient(x_, gradient);
     subtract_adjoint(system_, multipliers(&Cone::pull), gradient);

@@ -47,6 +47,8 @@ void Options::validate() const {
           "interior_point.step_fraction must be between 0 and 1");
   require(interior_point.least_eigenvalue > 0 && std::isfinite(interior_point.least_eigenvalue),
           "interior_point.least_eigenvalue must be positive");
+  require(interior_point.centrality_corrections >= 0,
+          "interior_point.centrality_corrections must not be negative");
   validate_path(penalty);
   validate_multipliers(augmented_lagrangian);
 }

@@ -27,7 +27,8 @@ void penalty_path(Workspace& work, const Options& options, Progress& progress, V
   Path path(work, options, progress, x);
   SpectralPenalty penalty;
   penalty.kind = path_options.penalty;
-  penalty.offset = work.system.problem().margin + path_options.epsilon;
+  double epsilon = path_options.epsilon;
+  penalty.offset = work.system.problem().margin + epsilon;
   const double last = last_factor(path_options) * (1 + 1e-9);  // powers of mu are rounded
   int unfinished = 0;
   for (penalty.tau = first_factor(path_options); penalty.tau <= last; penalty.tau *= path_options.factor) {
@@ -35,6 +36,10 @@ void penalty_path(Workspace& work, const Options& options, Progress& progress, V
                                                     : path.minimise(penalty, level_tolerance);
     if (end == Path::End::progress) return;
     if (end == Path::End::limit) ++unfinished;
+    if (path_options.lower_epsilon && !path_options.as_published && progress.feasible()) {
+      epsilon *= 0.25 * options.gap_tolerance / progress.gap();
+      penalty.offset = work.system.problem().margin + epsilon;
+    }
   }
   if (progress.certified())
     return progress.end(Status::optimal, "feasible, and the certified gap is within gap_tolerance");

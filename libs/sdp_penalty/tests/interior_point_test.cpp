@@ -111,3 +111,28 @@ TEST_CASE("bad problems name what is wrong") {
   CHECK_THROWS_WITH_AS(sdp_penalty::solve(bar_at_rest(), x, options), doctest::Contains("step_fraction"),
                        Error);
 }
+
+TEST_CASE("energies scaled by a factor take the same iterates") {
+  Problem problem = swirl(12, 150);
+  Vector x, y;
+  const auto one = sdp_penalty::solve(problem, x);
+  for (double& weight : problem.weights) weight *= 1e-9;
+  problem.alpha *= 1e-9;
+  const auto other = sdp_penalty::solve(problem, y);
+  CHECK(other.status == Status::optimal);
+  CHECK(other.iterations == one.iterations);
+  CHECK((x - y).cwiseAbs().maxCoeff() < 1e-9);
+}
+
+TEST_CASE("centrality corrections save factorizations") {
+  int solves[2];
+  for (const int corrections : {0, 2}) {
+    sdp_penalty::Options options;
+    options.interior_point.centrality_corrections = corrections;
+    Vector x;
+    const auto summary = sdp_penalty::solve(tests::swirl_in_space(5, 180), x, options);
+    CHECK(summary.status == Status::optimal);
+    solves[corrections / 2] = summary.linear_solves;
+  }
+  CHECK(solves[1] < solves[0]);
+}

@@ -27,6 +27,8 @@ enum class Penalty {
 struct InteriorPointOptions {
   double step_fraction = 0.99;    // of the way to the boundary
   double least_eigenvalue = 0.1;  // of the slacks at the start
+  // At most so many solves more with every factor to lengthen the step (Gondzio 1996).
+  int centrality_corrections = 2;
 };
 
 // A path of penalty factors tau, each minimised by Newton's method with the exact Hessian, which is positive
@@ -34,6 +36,9 @@ struct InteriorPointOptions {
 struct PenaltyOptions {
   Penalty penalty = Penalty::quadratic;
   double epsilon = 1e-6;
+  // Where x is feasible and the level minimised, only epsilon keeps the gap open: it is lowered then. false,
+  // and as published: it stays, and so may the gap.
+  bool lower_epsilon = true;
   double first = 0;    // tau; 0: 1e3, as published 1
   double factor = 10;  // mu
   double last = 0;     // 0: 1e12, of the cubic penalty 1e21; as published 1e15
