@@ -30,7 +30,7 @@ void augmented_lagrangian(Workspace& work, const Options& options, Progress& pro
     tolerance = std::max(0.1 * tolerance, 1e-14);  // multipliers are as good as the minimiser is
     Y = path.multiplier();
     const double left = std::max(0.0, penalty.offset - progress.last().min_eigenvalue);
-    if (left > 0.25 * violation) penalty.tau = std::min(10 * penalty.tau, own.last);
+    if (left > 0.25 * violation) penalty.tau = std::min(own.factor * penalty.tau, own.last);
     violation = left;
     // Feasible with multipliers that have settled: only epsilon keeps the gap open.
     if (left <= 0.1 * epsilon && !progress.ended()) {

@@ -24,7 +24,8 @@ void require(bool condition, const char* text) {
 void validate_path(const PenaltyOptions& options) {
   require(options.epsilon >= 0 && std::isfinite(options.epsilon), "penalty.epsilon must not be negative");
   require(options.first >= 0 && std::isfinite(options.first), "penalty.first must not be negative");
-  require(options.factor > 1 && std::isfinite(options.factor), "penalty.factor must be above 1");
+  require(options.factor == 0 || (options.factor > 1 && std::isfinite(options.factor)),
+          "penalty.factor must be above 1");
   require(options.last >= 0 && std::isfinite(options.last), "penalty.last must not be negative");
   require(options.level_iterations > 0, "penalty.level_iterations must be positive");
 }

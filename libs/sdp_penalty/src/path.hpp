@@ -24,10 +24,8 @@ class Path {
   // Until g^T H^-1 g < 1e-14, with Armijo's rule on sums.
   End minimise_as_published(const SpectralPenalty& penalty);
 
-  const Blocks& S() const { return S_; }
   // Of the last penalty at x.
   const Blocks& multiplier() const { return state_.multiplier; }
-  void record();
 
  private:
   End minimise(bool published, double tolerance);

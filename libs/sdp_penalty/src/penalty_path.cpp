@@ -14,6 +14,11 @@ double first_factor(const PenaltyOptions& options) {
   return options.as_published ? 1 : 1e3;
 }
 
+double growth(const PenaltyOptions& options) {
+  if (options.factor > 0) return options.factor;
+  return options.as_published ? 10 : 30;
+}
+
 double last_factor(const PenaltyOptions& options) {
   if (options.last > 0) return options.last;
   if (options.as_published) return 1e15;
@@ -31,7 +36,7 @@ void penalty_path(Workspace& work, const Options& options, Progress& progress, V
   penalty.offset = work.system.problem().margin + epsilon;
   const double last = last_factor(path_options) * (1 + 1e-9);  // powers of mu are rounded
   int unfinished = 0;
-  for (penalty.tau = first_factor(path_options); penalty.tau <= last; penalty.tau *= path_options.factor) {
+  for (penalty.tau = first_factor(path_options); penalty.tau <= last; penalty.tau *= growth(path_options)) {
     const Path::End end = path_options.as_published ? path.minimise_as_published(penalty)
                                                     : path.minimise(penalty, level_tolerance);
     if (end == Path::End::progress) return;

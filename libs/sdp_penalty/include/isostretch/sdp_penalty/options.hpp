@@ -39,9 +39,9 @@ struct PenaltyOptions {
   // Where x is feasible and the level minimised, only epsilon keeps the gap open: it is lowered then. false,
   // and as published: it stays, and so may the gap.
   bool lower_epsilon = true;
-  double first = 0;    // tau; 0: 1e3, as published 1
-  double factor = 10;  // mu
-  double last = 0;     // 0: 1e12, of the cubic penalty 1e21; as published 1e15
+  double first = 0;   // tau; 0: 1e3, as published 1
+  double factor = 0;  // mu; 0: 30, as published 10
+  double last = 0;    // 0: 1e12, of the cubic penalty 1e21; as published 1e15
   // Algorithm 1 to the letter: the whole path without an early end, every level until g^T H^-1 g < 1e-14,
   // Armijo's rule on the sums themselves. It stalls in rounding: a level ends after level_iterations at the
   // latest.
