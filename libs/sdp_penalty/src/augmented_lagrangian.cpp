@@ -17,7 +17,7 @@ void augmented_lagrangian(Workspace& work, const Options& options, Progress& pro
   penalty.offset = work.system.problem().margin + epsilon;
   penalty.shift = &shift;
   if (warm) {
-    x = work.last_x;
+    x = work.system.with_hard_targets(work.last_x);
     Y = work.last_Y;
     penalty.tau = work.last_tau;
   }
@@ -39,11 +39,12 @@ void augmented_lagrangian(Workspace& work, const Options& options, Progress& pro
       violation = std::numeric_limits<double>::infinity();
     }
   }
+  if (!progress.ended()) progress.give_up(Status::path_end, "the multipliers did not settle", x, {Y, {}});
+  work.last_Y.clear();
+  if (!progress.certified()) return;
   work.last_x = x;
   work.last_Y = std::move(Y);
   work.last_tau = penalty.tau;
-  if (!progress.ended())
-    progress.give_up(Status::path_end, "the multipliers did not settle", x, {work.last_Y, {}});
 }
 
 }  // namespace isostretch::sdp_penalty

@@ -140,8 +140,7 @@ void System::assemble_quadratic() {
   }
 }
 
-Vector System::start() const {
-  Vector x = Vector::Zero(pattern_.unknowns().dofs());
+Vector System::with_hard_targets(Vector x) const {
   for (const Target& target : problem_->targets)
     for (int r = 0; target.hard && r < dim_; ++r) x[target.node * dim_ + r] = target.position[size(r)];
   return x;

@@ -46,8 +46,10 @@ class System {
   std::size_t block_size() const { return static_cast<std::size_t>(dim_ * dim_); }
   int unknowns() const { return pattern_.unknowns().size(); }
 
+  // x with hard targets where they belong.
+  Vector with_hard_targets(Vector x) const;
   // Hard targets where they belong, 0 elsewhere.
-  Vector start() const;
+  Vector start() const { return with_hard_targets(Vector::Zero(pattern_.unknowns().dofs())); }
   // Entries of the unknowns, and back with 0 for what is held.
   Vector unknown_part(const Vector& positions) const;
   Vector spread_out(const Vector& unknowns) const;
