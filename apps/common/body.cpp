@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <numeric>
 
 namespace isostretch::app {
@@ -115,6 +116,10 @@ Body triangle_body(const mesh::Points2& vertices, const mesh::Triangles& triangl
   return finished(std::move(body), mesh::elements(vertices, triangles));
 }
 
+Body triangle_body(const mesh::SurfaceMesh& flat, const BodySpec& spec) {
+  return triangle_body(flat.vertices.leftCols<2>(), flat.triangles, spec);
+}
+
 Body quad_body(const mesh::QuadMesh& m, const BodySpec& spec) {
   Body body;
   body.shape = Shape::quad;
@@ -161,9 +166,45 @@ Body make_bar(const BarSpec& bar, BodySpec spec) {
   if (bar.shape == Shape::quad) return quad_body(mesh::quad_grid(n[0], n[1], s[0], s[1]), spec);
   if (bar.shape == Shape::hex) return hex_body(mesh::hex_bar(n[0], n[1], n[2], s[0], s[1], s[2]), spec);
   if (dim == 3) return tet_body(mesh::tet_bar(n[0], n[1], n[2], s[0], s[1], s[2]), spec);
-  const mesh::SurfaceMesh grid = mesh::grid(n[0], n[1], s[0], s[1]);
-  return triangle_body(grid.vertices.leftCols<2>(), grid.triangles, spec);
+  return triangle_body(mesh::grid(n[0], n[1], s[0], s[1]), spec);
 }
+
+struct Maker {
+  const BodySpec& spec;
+
+  Body operator()(const BarSpec& bar) const { return make_bar(bar, spec); }
+  Body operator()(const GridSpec& g) const {
+    const auto make = g.crossed ? mesh::crossed_grid : mesh::grid;
+    return triangle_body(make(g.cells[0], g.cells[1], g.size[0], g.size[1]), spec);
+  }
+  Body operator()(const DiscSpec& disc) const { return triangle_body(mesh::disc(disc.rings), spec); }
+  Body operator()(const BallSpec& ball) const { return tet_body(mesh::ball(ball.cells), spec); }
+  Body operator()(const QuadrupedSpec& animal) const { return tet_body(mesh::quadruped(animal.cells), spec); }
+};
+
+constexpr const char* generated_names[] = {"bar", "grid", "disc", "ball", "quadruped"};
+
+// ---- refinement ----
+
+void multiply(int& cells, int factor) {
+  if (cells > std::numeric_limits<int>::max() / factor)
+    throw Error("refine: " + std::to_string(factor) + " times as many cells are too many");
+  cells *= factor;
+}
+
+struct Multiplier {
+  int factor;
+
+  void operator()(BarSpec& bar) const {
+    for (int& n : bar.cells) multiply(n, factor);
+  }
+  void operator()(GridSpec& grid) const {
+    for (int& n : grid.cells) multiply(n, factor);
+  }
+  void operator()(DiscSpec& disc) const { multiply(disc.rings, factor); }
+  void operator()(BallSpec& ball) const { multiply(ball.cells, factor); }
+  void operator()(QuadrupedSpec& animal) const { multiply(animal.cells, factor); }
+};
 
 // ---- files ----
 
@@ -172,7 +213,7 @@ Body flat_file(const mesh::SurfaceMesh& surface, const BodySpec& spec) {
     if (surface.vertices(v, 2) != 0)
       throw Error(spec.file.string() + ": a surface is deformed in the plane z = 0, but vertex " +
                   std::to_string(v) + formatted(" has z = %g", surface.vertices(v, 2)));
-  return triangle_body(surface.vertices.leftCols<2>(), surface.triangles, spec);
+  return triangle_body(surface, spec);
 }
 
 bool holds_surfaces_only(const std::filesystem::path& file) {
@@ -221,10 +262,15 @@ Body read_body(const BodySpec& spec) {
 
 }  // namespace
 
+GeneratedBody refined(GeneratedBody body, int factor) {
+  std::visit(Multiplier{factor}, body);
+  return body;
+}
+
 Body load_body(const BodySpec& spec) {
-  if (spec.bar) {
-    Body body = make_bar(*spec.bar, spec);
-    body.name = "bar";
+  if (spec.generated) {
+    Body body = std::visit(Maker{spec}, *spec.generated);
+    body.name = generated_names[spec.generated->index()];
     return body;
   }
   Body body = read_body(spec);

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace isostretch::app {
@@ -21,16 +22,39 @@ struct BarSpec {
   mesh::Shape shape = mesh::Shape::tet;
 };
 
+// A rectangle of cells, each cut into two triangles or, crossed, into four around its middle.
+struct GridSpec {
+  std::array<int, 2> cells{};
+  std::array<double, 2> size{1, 1};
+  bool crossed = true;
+};
+
+// The unit disc, the unit ball, and an animal on four legs: see mesh/generators.hpp.
+struct DiscSpec {
+  int rings = 0;
+};
+struct BallSpec {
+  int cells = 0;
+};
+struct QuadrupedSpec {
+  int cells = 0;
+};
+
+using GeneratedBody = std::variant<BarSpec, GridSpec, DiscSpec, BallSpec, QuadrupedSpec>;
+
+// The same with so many times the cells in every direction. Throws Error where they are too many to count.
+GeneratedBody refined(GeneratedBody body, int factor);
+
 struct BodySpec {
-  std::filesystem::path file;  // unless it is a bar
-  std::optional<BarSpec> bar;
+  std::filesystem::path file;  // unless it is generated
+  std::optional<GeneratedBody> generated;
   int order = 1;       // 2: linear tets and triangles become quadratic, with straight edges
   int quadrature = 0;  // degree; 0: the shape's own
 };
 
 // What is deformed: solid elements in space, or flat ones in the plane (dim 2).
 struct Body {
-  std::string name;  // of the file, or "bar"
+  std::string name;  // of the file, or the kind of generated body
   mesh::Shape shape = mesh::Shape::tet;
   int dim = 3;
   mesh::Points3 nodes;                       // at rest; z = 0 in 2D

@@ -18,6 +18,11 @@ struct CellField {
   std::vector<double> values;  // one an element
 };
 
+struct NodeField {
+  std::string name;
+  std::vector<double> values;  // one a node
+};
+
 // "frame_0012.vtu".
 std::string frame_name(int number, FrameFormat format);
 

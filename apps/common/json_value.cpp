@@ -104,6 +104,11 @@ std::string JsonValue::text() const {
   return json_->get<std::string>();
 }
 
+bool JsonValue::truth() const {
+  require_kind(json_->is_boolean(), "true or false");
+  return json_->get<bool>();
+}
+
 std::vector<JsonValue> JsonValue::items() const {
   require_kind(json_->is_array(), "a list [...]");
   std::vector<JsonValue> values;

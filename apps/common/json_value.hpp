@@ -3,6 +3,8 @@
 #include "common/choice_names.hpp"
 #include "common/output_folder.hpp"
 
+#include <isostretch/core/error.hpp>
+
 #include <Eigen/Core>
 
 #include <nlohmann/json.hpp>
@@ -40,6 +42,7 @@ class JsonValue {
   double positive() const;
   int whole(int lowest, int highest) const;
   std::string text() const;
+  bool truth() const;
   std::vector<JsonValue> items() const;  // of an array
   std::vector<double> numbers() const;
   std::vector<int> whole_numbers() const;
@@ -58,5 +61,15 @@ class JsonValue {
   const Json* json_;
   std::string path_;
 };
+
+// Errors of libraries that know no path get it here.
+template <class Work>
+auto naming(const JsonValue& value, Work&& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    value.fail(error.what());
+  }
+}
 
 }  // namespace isostretch::app

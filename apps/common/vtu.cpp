@@ -49,7 +49,8 @@ class Arrays {
 
 }  // namespace
 
-std::string vtu_text(const Body& body, const mesh::Points3& points, const std::vector<CellField>& fields) {
+std::string vtu_text(const Body& body, const mesh::Points3& points, const std::vector<CellField>& fields,
+                     const std::vector<NodeField>& node_fields) {
   const auto cells = static_cast<std::size_t>(body.elements.element_count());
   std::vector<std::int64_t> offsets(cells);
   for (std::size_t i = 0; i < cells; ++i)
@@ -67,8 +68,10 @@ std::string vtu_text(const Body& body, const mesh::Points3& points, const std::v
   text += arrays.add("Int32", "connectivity", body.elements.nodes.data(), body.elements.nodes.size());
   text += arrays.add("Int64", "offsets", offsets.data(), cells);
   text += arrays.add("UInt8", "types", types.data(), cells) + "</Cells>\n<PointData>\n";
-  text +=
-      arrays.add("Float64", "displacement", displacement.data(), numbers, 3) + "</PointData>\n<CellData>\n";
+  text += arrays.add("Float64", "displacement", displacement.data(), numbers, 3);
+  for (const NodeField& field : node_fields)
+    text += arrays.add("Float64", field.name, field.values.data(), field.values.size());
+  text += "</PointData>\n<CellData>\n";
   for (const CellField& field : fields) text += arrays.add("Float64", field.name, field.values.data(), cells);
   return text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_" +
          arrays.bytes() + "\n</AppendedData>\n</VTKFile>\n";

@@ -2,9 +2,9 @@
 
 #include "common/energy_choice.hpp"
 #include "common/exit_code.hpp"
+#include "common/handle_text.hpp"
 #include "common/json_value.hpp"
 #include "common/validators.hpp"
-#include "handle_text.hpp"
 #include "material.hpp"
 #include "scene.hpp"
 #include "scene_reader.hpp"
@@ -64,7 +64,7 @@ void CommandLine::declare_scene(CLI::App& cli) {
          },
          "List the energies and their parameters, and exit")
       ->trigger_on_parse();
-  cli.add_option("--handle", handles_, handle_help() + "May be repeated")
+  cli.add_option("--handle", handles_, handle_help(Holding::hard) + "May be repeated")
       ->allow_extra_args(false)
       ->type_name("HANDLE");
   cli.add_option("--frames", frames_, "Steps from rest to the end of the motion")
@@ -117,7 +117,8 @@ void CommandLine::add_energy(Json& scene) const {
 
 void CommandLine::add_handles(Json& scene) const {
   failing_with(ExitCode::command_line, [&] {
-    for (const std::string& text : handles_) scene["handles"].push_back(handle_from_text(text));
+    for (const std::string& text : handles_)
+      scene["handles"].push_back(handle_from_text(text, Holding::hard));
     if (has_scene_file()) return;  // what it lacks is said when its turn comes
     if (!scene.contains("handles")) throw Error("--handle: there must be one at least");
   });

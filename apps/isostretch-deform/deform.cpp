@@ -41,7 +41,7 @@ class Job {
         json_(command_line.scene()),
         body_(timed(seconds_.read, [&] { return read_body(command_line); })),
         scene_(reading_scene(command_line, [&] { return read_scene(json_, body_.dim); })),
-        rig_(reading_scene(command_line, [&] { return Rig(scene_, body_); })),
+        rig_(reading_scene(command_line, [&] { return Rig(scene_.script, body_); })),
         problem_(
             timed(seconds_.read,
                   [&] { return reading_scene(command_line, [&] { return Problem(scene_, body_, rig_); }); })),
@@ -67,18 +67,13 @@ class Job {
     const std::filesystem::path parent =
         command_line.has_scene_file() ? command_line.input().parent_path() : std::filesystem::path();
     const BodySpec spec = reading_scene(command_line, [&] { return read_body_spec(json_, parent); });
-    if (spec.bar) return reading_scene(command_line, [&] { return load_body(spec); });
+    if (spec.generated) return reading_scene(command_line, [&] { return load_body(spec); });
     return failing_with(ExitCode::input, [&] { return load_body(spec); });
   }
 
   void warn_of_loose_components() {
-    const std::vector<int> loose = loose_components(rig_, body_);
-    if (loose.empty()) return;
-    std::string text = formatted(
-        "%zu component(s) of the mesh have no handle and stay where they are, those of vertex", loose.size());
-    for (std::size_t i = 0; i < std::min<std::size_t>(loose.size(), 5); ++i)
-      text.append(i > 0 ? ", " : " ").append(std::to_string(loose[i]));
-    add_warning(text + (loose.size() > 5 ? ", ..." : ""));
+    const std::string text = loose_components_text(loose_components(rig_, body_));
+    if (!text.empty()) add_warning(text);
   }
 
   void add_warning(const std::string& text) {
@@ -88,7 +83,7 @@ class Job {
 
   State restored() {
     State state = failing_with(ExitCode::input, [&] { return read_state(options_.out, scene_, body_); });
-    notice(formatted("going on after frame %d of %d", state.frame, scene_.frames));
+    notice(formatted("going on after frame %d of %d", state.frame, scene_.script.frames));
     return state;
   }
 
@@ -112,12 +107,12 @@ class Job {
     result_.positions = state.positions;
     result_.frames = state.frames;
     result_.trace = state.trace;
-    for (int frame = state.frame + 1; frame <= scene_.frames; ++frame) {
+    for (int frame = state.frame + 1; frame <= scene_.script.frames; ++frame) {
       if (interrupted())
         return stop(Outcome::stopped, formatted("interrupted (Ctrl-C) before frame %d", frame));
       if (options_.stop_after >= 0 && frame > first_frame() + options_.stop_after - 1)
-        return stop(Outcome::stop_after,
-                    formatted("stopped after frame %d of %d (--stop-after)", frame - 1, scene_.frames));
+        return stop(Outcome::stop_after, formatted("stopped after frame %d of %d (--stop-after)", frame - 1,
+                                                   scene_.script.frames));
       if (!make_frame(frame, stepper, folder, state)) return;
     }
   }
@@ -155,7 +150,7 @@ class Job {
   }
 
   std::string progress(int frame, const FrameResult& made, const StrainField& strain) const {
-    return formatted("frame %d of %d: %s, %d iterations, min det F %.3g, %.2f s", frame, scene_.frames,
+    return formatted("frame %d of %d: %s, %d iterations, min det F %.3g, %.2f s", frame, scene_.script.frames,
                      std::string(newton::status_name(made.summary.status)).c_str(), made.summary.iterations,
                      strain.smallest_det(), made.seconds);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "rig.hpp"
+#include "common/rig.hpp"
+#include "scene.hpp"
 
 #include <isostretch/handles/spread.hpp>
 

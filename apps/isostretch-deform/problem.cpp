@@ -91,7 +91,7 @@ Problem::Problem(const Scene& scene, const Body& body, const Rig& rig)
     objective_.add<newton::EnergyTerm>(
         regions_.size() == 1 ? body.elements : handles::restricted(body.elements, region.elements),
         region.energy);
-  auto pins = soft_pins(scene.start);
+  auto pins = soft_pins(scene.script.start);
   if (!pins.empty()) soft_ = &objective_.add<SoftHandles>(body.dim, objective_.node_count(), std::move(pins));
   for (const int node : rig.hard_nodes()) objective_.pin(node);
   const std::vector<int> component = handles::component_of_nodes(body.elements);

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "common/frames.hpp"
+#include "common/rig.hpp"
 #include "common/strain.hpp"
-#include "rig.hpp"
+#include "scene.hpp"
 #include "soft_handles.hpp"
 
 #include <isostretch/newton/objective.hpp>

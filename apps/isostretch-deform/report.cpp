@@ -100,8 +100,10 @@ Json frame_json(int frame, const FrameResult& result, double time, const StrainF
 }
 
 Json rest_frame_json(const Result& result, const StrainField& strain, const std::string& file) {
-  Json json{{"frame", 0},         {"time", result.scene.start}, {"file", file}, {"reached", true},
-            {"status", "rest"},   {"converged", true},          {"parts", 0},   {"iterations", 0},
+  Json json{{"frame", 0},         {"time", result.scene.script.start},
+            {"file", file},       {"reached", true},
+            {"status", "rest"},   {"converged", true},
+            {"parts", 0},         {"iterations", 0},
             {"factorizations", 0}};
   json.update(strain_json(strain));
   return json;
@@ -151,7 +153,7 @@ Json summary_json(const Result& r, const PhaseSeconds& seconds) {
             {"converged", r.outcome == Outcome::finished && unconverged_frames(r) == 0},
             {"message", verdict(r)},
             {"frames_made", reached_frames(r.frames)},
-            {"frames_wanted", r.scene.frames},
+            {"frames_wanted", r.scene.script.frames},
             {"restarted_at", r.restarted_at},
             {"iterations", static_cast<long>(sum_over(r.frames, "iterations"))},
             {"factorizations", static_cast<long>(sum_over(r.frames, "factorizations"))},

@@ -2,10 +2,10 @@
 
 #include "common/choice_names.hpp"
 #include "common/frames.hpp"
+#include "common/handle_script.hpp"
 #include "common/output_folder.hpp"
 
 #include <isostretch/energies/any_energy.hpp>
-#include <isostretch/handles/motion.hpp>
 #include <isostretch/newton/options.hpp>
 
 #include <nlohmann/json.hpp>
@@ -36,31 +36,15 @@ struct RegionSpec {
   energies::AnyEnergy energy;
 };
 
-struct HandleSpec {
-  std::string path;
-  std::string name;
-  handles::Selection select;
-  std::vector<handles::Keyframe> keyframes;  // times are those of the scene
-  std::optional<handles::Point> center;      // none: the mean of its nodes
-  std::optional<double> soft;                // weight; none: held hard
-};
-
 // All that results depend on, besides the body.
 struct Scene {
   Json json;  // as it was read, with what the command line adds
   energies::AnyEnergy energy;
   std::vector<RegionSpec> regions = {};
-  std::vector<HandleSpec> handles = {};
-  double start = 0, end = 1;  // times
-  int frames = 10;
+  HandleScript script = {};
   Guess guess = Guess::biharmonic;
   FrameFormat format = FrameFormat::vtu;
   newton::Options newton = {};
-
-  // Handles come from rest between this time and `start`.
-  double rest_time() const { return start - (end - start); }
-  // Of frame 0, the rest shape, to the last.
-  double time(int frame) const { return frame == frames ? end : start + (end - start) * frame / frames; }
 };
 
 }  // namespace isostretch::app::deform

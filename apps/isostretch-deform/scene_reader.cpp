@@ -1,59 +1,19 @@
 #include "scene_reader.hpp"
 
+#include "common/body_reader.hpp"
 #include "common/energy_choice.hpp"
+#include "common/handle_reader.hpp"
 #include "common/json_value.hpp"
+#include "common/selection_reader.hpp"
 #include "common/solver_flags.hpp"
 #include "material.hpp"
-#include "selection_reader.hpp"
 
 #include <isostretch/core/error.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <set>
 
 namespace isostretch::app::deform {
 namespace {
-
-constexpr int most = std::numeric_limits<int>::max();
-
-// Errors of libraries that know no path get it here.
-template <class Work>
-auto naming(const JsonValue& value, Work&& work) {
-  try {
-    return work();
-  } catch (const Error& error) {
-    value.fail(error.what());
-  }
-}
-
-// ---- body ----
-
-BarSpec read_bar(const JsonValue& value) {
-  value.only({"cells", "size", "element"});
-  BarSpec bar;
-  for (const JsonValue& item : value.at("cells").items()) bar.cells.push_back(item.whole(1, most));
-  if (bar.cells.size() != 2 && bar.cells.size() != 3)
-    value.at("cells").fail("must be 2 or 3 numbers, not " + std::to_string(bar.cells.size()));
-  bar.size.assign(bar.cells.size(), 1.0);
-  if (const auto size = value.find("size")) {
-    const auto items = size->items();
-    if (items.size() != bar.cells.size())
-      size->fail("must be as many numbers as cells, " + std::to_string(bar.cells.size()));
-    for (std::size_t i = 0; i < items.size(); ++i) bar.size[i] = items[i].positive();
-  }
-  bar.shape = bar.cells.size() == 2 ? mesh::Shape::triangle : mesh::Shape::tet;
-  if (const auto element = value.find("element")) {
-    element->require_one_of(shape_names());
-    bar.shape = shape_from_name(element->text());
-    if (mesh::shape_dim(bar.shape) != static_cast<int>(bar.cells.size()))
-      element->fail("'" + element->text() + "' is " + std::to_string(mesh::shape_dim(bar.shape)) +
-                    "D, and there are cells in " + std::to_string(bar.cells.size()) + " directions");
-  }
-  return bar;
-}
 
 // ---- energies ----
 
@@ -111,96 +71,6 @@ RegionSpec read_region(const JsonValue& value, int dim, const JsonValue& scene) 
   return region;
 }
 
-// ---- handles ----
-
-void read_rotation(const JsonValue& value, int dim, handles::Transform& transform) {
-  value.only({"axis", "degrees"});
-  transform.degrees = value.at("degrees").number();
-  if (dim == 2) {
-    if (const auto axis = value.find("axis")) axis->fail("in the plane there is one axis; leave it out");
-    return;
-  }
-  transform.axis = value.at("axis").point(3);
-  if (transform.axis.isZero(0)) value.at("axis").fail("has length zero");
-}
-
-handles::Transform read_transform(const JsonValue& value, int dim) {
-  handles::Transform transform;
-  if (const auto translate = value.find("translate")) transform.translation = translate->point(dim);
-  if (const auto rotate = value.find("rotate")) read_rotation(*rotate, dim, transform);
-  if (const auto scale = value.find("scale")) transform.scale = scale->positive();
-  return transform;
-}
-
-std::vector<handles::Keyframe> read_keyframes(const JsonValue& value, int dim) {
-  std::vector<handles::Keyframe> keys;
-  for (const JsonValue& item : value.items()) {
-    item.only({"time", "translate", "rotate", "scale"});
-    keys.push_back({item.at("time").number(), read_transform(item, dim)});
-    if (keys.size() > 1 && !(keys[keys.size() - 2].time < keys.back().time))
-      item.at("time").fail("must be later than that of the keyframe before");
-  }
-  if (keys.empty()) value.fail("there must be one at least");
-  return keys;
-}
-
-// A single key at time 1 stands for "from rest to there over the whole time", until the time is known.
-HandleSpec read_handle(const JsonValue& value, int dim) {
-  value.only({"name", "select", "translate", "rotate", "scale", "center", "keyframes", "soft"});
-  HandleSpec handle;
-  handle.path = handle.name = value.path();
-  if (const auto name = value.find("name")) handle.name = name->text();
-  handle.select = read_selection(value.at("select"), dim);
-  if (const auto center = value.find("center")) handle.center = center->point(dim);
-  if (const auto soft = value.find("soft")) handle.soft = soft->positive();
-  const bool moved = value.has("translate") || value.has("rotate") || value.has("scale");
-  if (const auto keyframes = value.find("keyframes")) {
-    if (moved) value.fail("give either keyframes or translate, rotate and scale");
-    handle.keyframes = read_keyframes(*keyframes, dim);
-  } else if (moved) {
-    handle.keyframes = {{0, {}}, {1, read_transform(value, dim)}};
-    handle.keyframes[0].transform.axis = handle.keyframes[1].transform.axis;
-  }
-  return handle;
-}
-
-// From the first keyframe of all handles to the last; 0 to 1 without any.
-void read_times(const JsonValue& scene, const std::vector<JsonValue>& values, Scene& result) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const JsonValue& value : values) {
-    const auto keyframes = value.find("keyframes");
-    if (!keyframes) continue;
-    for (const JsonValue& key : keyframes->items()) {
-      const double time = key.at("time").number();
-      low = std::min(low, time), high = std::max(high, time);
-      // The handles come from rest in a time as long again.
-      if (!std::isfinite(low - (high - low)))
-        key.at("time").fail("is too far from the other keyframes' times");
-    }
-  }
-  if (low < high) result.start = low, result.end = high;
-  if (low == high) scene.at("handles").fail("all keyframes are at one time");
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    auto& keys = result.handles[i].keyframes;
-    if (keys.empty()) keys = {{result.start, {}}};
-    if (!values[i].has("keyframes") && keys.size() == 2)
-      keys[0].time = result.start, keys[1].time = result.end;
-  }
-}
-
-void read_handles(const JsonValue& scene, int dim, Scene& result) {
-  if (!scene.has("handles")) scene.fail("handles: there must be one at least");
-  const auto values = scene.at("handles").items();
-  std::set<std::string> names;
-  for (const JsonValue& value : values) {
-    result.handles.push_back(read_handle(value, dim));
-    if (!names.insert(result.handles.back().name).second)
-      value.fail("the name '" + result.handles.back().name + "' is taken");
-  }
-  if (values.empty()) scene.at("handles").fail("there must be one at least");
-  read_times(scene, values, result);
-}
-
 }  // namespace
 
 std::vector<std::string> scene_keys() {
@@ -212,11 +82,7 @@ BodySpec read_body_spec(const Json& json, const std::filesystem::path& folder) {
   const JsonValue scene(json);
   scene.only(scene_keys());
   BodySpec spec;
-  const JsonValue mesh = scene.at("mesh");
-  if (mesh.is_text())
-    spec.file = folder / mesh.text();
-  else
-    spec.bar = read_bar(mesh.only({"bar"}).at("bar"));
+  read_mesh(scene.at("mesh"), folder, spec);
   if (const auto order = scene.find("order")) spec.order = order->whole(1, 2);
   if (const auto quadrature = scene.find("quadrature")) spec.quadrature = quadrature->whole(1, 5);
   return spec;
@@ -266,8 +132,7 @@ Scene read_scene(const Json& json, int dim) {
   Scene result{json, read_energy(scene, dim, {})};
   if (const auto regions = scene.find("regions"))
     for (const JsonValue& value : regions->items()) result.regions.push_back(read_region(value, dim, scene));
-  read_handles(scene, dim, result);
-  if (const auto frames = scene.find("frames")) result.frames = frames->whole(1, 1'000'000);
+  result.script = read_handle_script(scene, dim, Holding::hard, result.script.frames);
   if (const auto guess = scene.find("guess")) result.guess = guess->choice(guess_names);
   if (const auto format = scene.find("format")) result.format = format->choice(frame_format_names);
   result.newton = read_solver(json);

@@ -70,7 +70,7 @@ FrameResult Stepper::advance(int frame, Vector& positions) {
     const bool on = solve_part(frame, at(next), x, result);
     positions = std::move(x);
     done = next;
-    result.time = std::max(at(done), scene_.start);  // times before are none of the scene's
+    result.time = std::max(at(done), scene_.script.start);  // times before are none of the scene's
     result.reached = on && done == 1;
     if (!on) break;
     part *= 2;
@@ -82,10 +82,10 @@ FrameResult Stepper::advance(int frame, Vector& positions) {
 
 // Where handles begin elsewhere than at rest, half of the first frame takes them there.
 double Stepper::time_within(int frame, double way) const {
-  double from = scene_.time(frame - 1), to = scene_.time(frame);
+  double from = scene_.script.time(frame - 1), to = scene_.script.time(frame);
   if (way == 1) return to;
   if (frame == 1 && rig_.comes_from_rest()) {
-    if (way < 0.5) to = from, from = scene_.rest_time();
+    if (way < 0.5) to = from, from = scene_.script.rest_time();
     way = way < 0.5 ? 2 * way : 2 * way - 1;
   }
   return from + way * (to - from);
@@ -97,7 +97,7 @@ bool Stepper::solve_part(int frame, double time, Vector& positions, FrameResult&
   if (time_limit_ > 0) options.time_limit = std::max(time_limit_ - timer_.seconds(), 1e-9);
   newton::Summary summary = newton::minimize(
       problem_.objective(), positions, options, [&](const newton::Iteration& row, const Vector&) {
-        show_progress(formatted("frame %d of %d  ", frame, scene_.frames) + progress_line(row));
+        show_progress(formatted("frame %d of %d  ", frame, scene_.script.frames) + progress_line(row));
         return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
       });
   if (summary.status == newton::Status::stopped_by_callback) summary.message = "interrupted (Ctrl-C)";

@@ -66,7 +66,7 @@ void require_frame(const JsonValue& value, int number, const Body& body) {
 
 State state_in(const JsonValue& value, const Scene& scene, const Body& body) {
   State state;
-  state.frame = value.at("frame").whole(0, scene.frames);
+  state.frame = value.at("frame").whole(0, scene.script.frames);
   const auto frames = value.at("frames").items();
   if (frames.size() != static_cast<std::size_t>(state.frame) + 1)
     value.at("frames").fail("must be " + std::to_string(state.frame + 1) + ", not " +

@@ -28,9 +28,4 @@ inline nlohmann::ordered_json twisted_bar(double degrees, int frames) {
           {"frames", frames}};
 }
 
-inline std::string write_scene(const Scratch& scratch, const nlohmann::ordered_json& scene,
-                               const std::string& name = "scene.json") {
-  return scratch.write(name, scene.dump(2));
-}
-
 }  // namespace isostretch::test

@@ -26,6 +26,12 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
+// Returns the path of the file.
+inline std::string write_scene(const Scratch& scratch, const nlohmann::ordered_json& scene,
+                               const std::string& name = "scene.json") {
+  return scratch.write(name, scene.dump(2));
+}
+
 std::string read_file(const std::string& path);
 nlohmann::json read_json(const std::string& path);
 

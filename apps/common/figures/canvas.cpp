@@ -1,10 +1,7 @@
 #include "common/figures/canvas.hpp"
 
+#include "common/figures/cairo_surface.hpp"
 #include "common/utf8.hpp"
-
-#include <isostretch/core/error.hpp>
-
-#include <cairo.h>
 
 #include <cmath>
 #include <cstring>
@@ -27,27 +24,6 @@ const char* __lsan_default_options() {
 namespace isostretch::app::figures {
 namespace {
 
-struct Release {
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-  void operator()(cairo_t* context) const { cairo_destroy(context); }
-};
-using Surface = std::unique_ptr<cairo_surface_t, Release>;
-using Context = std::unique_ptr<cairo_t, Release>;
-
-void require(cairo_status_t status) {
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw Error(std::string("cannot draw the picture: ") + cairo_status_to_string(status));
-}
-
-cairo_status_t append(void* text, const unsigned char* data, unsigned int size) {
-  try {
-    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), size);
-    return CAIRO_STATUS_SUCCESS;
-  } catch (...) {
-    return CAIRO_STATUS_NO_MEMORY;
-  }
-}
-
 double share_before(Align align) {
   return align == Align::start ? 0.0 : align == Align::middle ? 0.5 : 1.0;
 }
@@ -60,8 +36,8 @@ bool begins_character(char c) {
 }  // namespace
 
 struct Canvas::State {
-  Surface surface;
-  Context context;
+  CairoSurface surface;
+  CairoContext context;
 
   cairo_t* cr() const { return context.get(); }
 
@@ -80,7 +56,7 @@ struct Canvas::State {
 
 Canvas::Canvas(int width, int height) : state_(std::make_unique<State>()) {
   state_->surface.reset(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
-  require(cairo_surface_status(state_->surface.get()));
+  require_drawn(cairo_surface_status(state_->surface.get()));
   state_->context.reset(cairo_create(state_->surface.get()));
   cairo_set_line_join(state_->cr(), CAIRO_LINE_JOIN_ROUND);
   cairo_set_source_rgb(state_->cr(), 1, 1, 1);
@@ -161,8 +137,8 @@ void Canvas::frame(const Box& box, const LineStyle& style) {
 }
 
 void Canvas::image(const Raster& raster, Point corner) {
-  const Surface copy(cairo_image_surface_create(CAIRO_FORMAT_RGB24, raster.width(), raster.height()));
-  require(cairo_surface_status(copy.get()));
+  const CairoSurface copy(cairo_image_surface_create(CAIRO_FORMAT_RGB24, raster.width(), raster.height()));
+  require_drawn(cairo_surface_status(copy.get()));
   unsigned char* rows = cairo_image_surface_get_data(copy.get());
   const int stride = cairo_image_surface_get_stride(copy.get());
   const auto pixels = raster.pixels();
@@ -176,10 +152,8 @@ void Canvas::image(const Raster& raster, Point corner) {
 }
 
 std::string Canvas::png() const {
-  std::string bytes;
-  require(cairo_status(state_->cr()));
-  require(cairo_surface_write_to_png_stream(state_->surface.get(), append, &bytes));
-  return bytes;
+  require_drawn(cairo_status(state_->cr()));
+  return png_bytes(state_->surface.get());
 }
 
 }  // namespace isostretch::app::figures

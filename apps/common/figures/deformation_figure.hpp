@@ -24,6 +24,7 @@ struct DeformationFigure {
   std::vector<double> volumes;            // of the elements at rest
   std::vector<std::array<int, 2>> lines;  // to draw dark, as pairs of vertices: where handles end
   bool flat = false;                      // a body in the plane: seen from straight above
+  int up = -1;                            // axis; -1: guessed
 };
 
 // The states seen by one camera that fits the first, coloured by the largest change of length, averaged

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace isostretch::app::figures {
 
-// Where the line from a to b crosses the row y widens the span [left, right].
+// Where the line from a to b crosses the row y widens the span [left, right]. It comes out the same to the
+// bit from b to a: a sample on an edge would otherwise fall between the triangles on both sides.
 struct Span {
   double left = HUGE_VAL, right = -HUGE_VAL;
 
   void cross(const double* a, const double* b, double y) {
     if ((a[1] <= y) == (b[1] <= y)) return;
+    if (a[1] > b[1]) std::swap(a, b);
     const double x = a[0] + (b[0] - a[0]) * ((y - a[1]) / (b[1] - a[1]));
     left = std::min(left, x);
     right = std::max(right, x);

@@ -1,50 +1,8 @@
 #include <isostretch/handles/elements.hpp>
 
 #include <algorithm>
-#include <numeric>
 
 namespace isostretch::handles {
-namespace {
-
-// Union-find in which the smallest node of a component stands for it.
-class Components {
- public:
-  explicit Components(int count) : parent_(static_cast<std::size_t>(count)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int find(int i) {
-    while (parent(i) != i) i = parent(i) = parent(parent(i));
-    return i;
-  }
-  void join(int a, int b) {
-    a = find(a), b = find(b);
-    parent(std::max(a, b)) = std::min(a, b);
-  }
-
- private:
-  int& parent(int i) { return parent_[static_cast<std::size_t>(i)]; }
-
-  std::vector<int> parent_;
-};
-
-}  // namespace
-
-std::vector<int> component_of_nodes(const assembly::Elements& elements) {
-  Components components(elements.node_count);
-  std::vector<int> result(static_cast<std::size_t>(elements.node_count), -1);
-  const auto k = static_cast<std::size_t>(elements.nodes_per_element);
-  for (std::size_t i = 0; i < elements.nodes.size(); ++i) {
-    components.join(elements.nodes[i], elements.nodes[i - i % k]);
-    result[static_cast<std::size_t>(elements.nodes[i])] = 0;
-  }
-  int count = 0;
-  for (std::size_t node = 0; node < result.size(); ++node) {
-    if (result[node] < 0) continue;
-    const auto first = static_cast<std::size_t>(components.find(static_cast<int>(node)));
-    result[node] = first == node ? count++ : result[first];
-  }
-  return result;
-}
 
 std::vector<int> elements_within(const std::vector<int>& chosen, const assembly::Elements& elements) {
   std::vector<bool> is_chosen(static_cast<std::size_t>(elements.node_count), false);

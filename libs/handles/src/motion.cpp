@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace isostretch::handles {
@@ -51,13 +52,24 @@ bool shares_axis(const Transform& a, const Transform& b, double& degrees) {
   return parallel || b.degrees == 0;
 }
 
-Rotation between(const Transform& a, const Transform& b, double t) {
+// Between transforms of one axis.
+std::optional<Turn> turn_between(const Transform& a, const Transform& b, double t) {
   double degrees = 0;
-  if (shares_axis(a, b, degrees)) return rotation(a.axis, mix(a.degrees, degrees, t));
-  if (shares_axis(b, a, degrees)) return rotation(b.axis, mix(degrees, b.degrees, t));
+  if (shares_axis(a, b, degrees)) return Turn{a.axis, mix(a.degrees, degrees, t)};
+  if (shares_axis(b, a, degrees)) return Turn{b.axis, mix(degrees, b.degrees, t)};
+  return std::nullopt;
+}
+
+Rotation between(const Transform& a, const Transform& b, double t) {
+  if (const auto turn = turn_between(a, b, t)) return rotation(turn->axis, turn->degrees);
   const Rotation from = rotation(a.axis, a.degrees);
   const Eigen::AngleAxisd way(Rotation(from.transpose() * rotation(b.axis, b.degrees)));
   return from * rotation(way.axis(), t * way.angle() * 180 / std::numbers::pi);
+}
+
+Turn counter_clockwise(const Turn& turn) {
+  const Point axis = unit(turn.axis);
+  return axis.z() == -1 ? Turn{-axis, -turn.degrees} : Turn{axis, turn.degrees};
 }
 
 }  // namespace
@@ -86,6 +98,20 @@ Placement Motion::at(double time) const {
   const double t = (time - (after - 1)->time) / (after->time - (after - 1)->time);
   return placed(between(a, b, t), mix(a.scale, b.scale, t),
                 a.translation + t * (b.translation - a.translation));
+}
+
+Turn Motion::turn(double time) const {
+  const auto after = std::find_if(keyframes_.begin(), keyframes_.end(),
+                                  [&](const Keyframe& key) { return key.time > time; });
+  if (after == keyframes_.begin() || after == keyframes_.end()) {
+    const Transform& key = (after == keyframes_.end() ? keyframes_.back() : *after).transform;
+    return counter_clockwise({key.axis, key.degrees});
+  }
+  const Transform &a = (after - 1)->transform, &b = after->transform;
+  const double t = (time - (after - 1)->time) / (after->time - (after - 1)->time);
+  if (const auto turn = turn_between(a, b, t)) return counter_clockwise(*turn);
+  const Eigen::AngleAxisd whole(between(a, b, t));
+  return counter_clockwise({whole.axis(), whole.angle() * 180 / std::numbers::pi});
 }
 
 Point center_of(const std::vector<int>& chosen, const Nodes& nodes) {

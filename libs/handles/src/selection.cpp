@@ -85,6 +85,12 @@ class Selector {
     return chosen;
   }
 
+  std::vector<int> operator()(const Segment& segment) const {
+    require_positive(segment.distance, "distance");
+    if (!segment.from.allFinite() || !segment.to.allFinite()) fail("a point that is not finite");
+    return where([&](const Point& p) { return distance(p, nearest_on(segment, p)) <= segment.distance; });
+  }
+
   [[noreturn]] void fail(const std::string& what) const { throw Error(name_ + ": " + what); }
 
  private:
@@ -100,6 +106,17 @@ class Selector {
     double sum = 0;
     for (int i = 0; i < nodes_.dim; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
     return std::sqrt(sum);
+  }
+
+  Point nearest_on(const Segment& segment, const Point& p) const {
+    double along = 0, squared = 0;
+    for (int i = 0; i < nodes_.dim; ++i) {
+      const double d = segment.to[i] - segment.from[i];
+      along += d * (p[i] - segment.from[i]);
+      squared += d * d;
+    }
+    const double share = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0;
+    return segment.from + share * (segment.to - segment.from);
   }
 
   void require_positive(double value, const char* what) const {

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 using namespace isostretch;
@@ -78,6 +79,16 @@ TEST_CASE("a patch goes along the boundary") {
   }
 }
 
+TEST_CASE("a bone takes the nodes around a segment, its ends included") {
+  const Nodes nodes = nodes_of(bar());
+  const auto count = [&](const Segment& s) { return select(s, nodes, "it").size(); };
+  CHECK(count({{1, 1, 1}, {3, 1, 1}, 0.5}) == 3);
+  CHECK(count({{1, 1, 1}, {3, 1, 1}, 1.0}) == 3 * 5 + 2);
+  CHECK(count({{3, 1, 1}, {1, 1, 1}, 1.0}) == 3 * 5 + 2);
+  CHECK(count({{2, 1, 1}, {2, 1, 1}, 1.0}) == 7);  // a point: a sphere
+  CHECK(count({{0, 0, 0}, {4, 2, 2}, 0.1}) == 3);
+}
+
 TEST_CASE("in 2D the last coordinate is not looked at") {
   Nodes nodes;
   nodes.dim = 2;
@@ -85,6 +96,7 @@ TEST_CASE("in 2D the last coordinate is not looked at") {
   nodes.positions << 0, 0, 1, 0, 0, 1;
   CHECK(select(Sphere{{0, 0, 9}, 0.5}, nodes, "it") == std::vector<int>{0});
   CHECK(select(Box{{0, 0, 5}, {1, 0.5, -5}}, nodes, "it") == std::vector<int>{0, 1});
+  CHECK(select(Segment{{0, 0, 3}, {1, 0, -8}, 0.1}, nodes, "it") == std::vector<int>{0, 1});
 }
 
 TEST_CASE("what selects nothing or makes no sense is an error that begins with the name") {
@@ -99,6 +111,9 @@ TEST_CASE("what selects nothing or makes no sense is an error that begins with t
   check_failure(Nearest{{0, 0, 0}, 0}, "count");
   check_failure(Nearest{{0, 0, 0}, 46}, "46");
   check_failure(Patch{{0, 0, 0}, -1}, "distance");
+  check_failure(Segment{{9, 9, 9}, {9, 9, 8}, 0.1}, "selects no vertex");
+  check_failure(Segment{{0, 0, 0}, {1, 0, 0}, 0}, "distance");
+  check_failure(Segment{{0, 0, 0}, {std::nan(""), 0, 0}, 1}, "not finite");
 }
 
 TEST_CASE("elements within a selection, and a part of the arrays") {

@@ -1,9 +1,12 @@
-// A strip of triangles with one end turned by a quarter, and the rest carried along.
+// A strip of triangles with one end turned by a quarter, and the rest carried along: by displacements, and by
+// rotations blended with the weights of both ends.
 #include "expect.hpp"
 
 #include <isostretch/handles/motion.hpp>
+#include <isostretch/handles/rotation_blend.hpp>
 #include <isostretch/handles/spread.hpp>
 
+#include <cmath>
 #include <vector>
 
 using namespace isostretch;
@@ -49,4 +52,12 @@ int main() {
   for (const int n : low) EXPECT(spread.segment<2>(2 * n).norm() == 0);
   for (const int n : high) EXPECT((spread - u).segment<2>(2 * n).norm() == 0);
   EXPECT(spread.segment<2>(4).norm() > 0.01);
+
+  const auto weights = handles::bounded_biharmonic_weights(strip(), {low, high});
+  for (int n = 0; n < weights.node_count(); ++n)
+    EXPECT(std::abs(weights.at(n, 0) + weights.at(n, 1) - 1) < 1e-12);
+  const std::vector<double> rotations =
+      handles::blended_rotations(strip(), weights, {{}, turn.turn(1)}, handles::default_blend(2));
+  EXPECT(rotations.size() == 4 * 2 * squares);
+  EXPECT(rotations.front() > 0.9 && rotations.back() < 0.5);
 }

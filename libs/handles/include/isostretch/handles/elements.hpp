@@ -6,9 +6,7 @@
 
 namespace isostretch::handles {
 
-// Component of every node, counted from 0 by smallest node; -1 for a node of no element. Elements that share
-// a node belong together.
-std::vector<int> component_of_nodes(const assembly::Elements& elements);
+using assembly::component_of_nodes;
 
 // Elements all of whose nodes are among the chosen ones, ascending.
 std::vector<int> elements_within(const std::vector<int>& chosen, const assembly::Elements& elements);

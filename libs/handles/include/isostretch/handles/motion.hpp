@@ -21,6 +21,12 @@ struct Keyframe {
   Transform transform;
 };
 
+// A rotation that knows how often it went round.
+struct Turn {
+  Point axis = Point::UnitZ();  // of any length but zero; not looked at in 2D
+  double degrees = 0;           // more than a full turn counts
+};
+
 // A transform at one time, ready to be applied.
 struct Placement {
   Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();  // scaled rotation
@@ -41,6 +47,11 @@ class Motion {
   Motion(std::vector<Keyframe> keyframes, const Point& center, const std::string& name);
 
   Placement at(double time) const;
+
+  // The rotation of at(time) with its full turns where the axis stays; between keyframes whose axes differ,
+  // by 180 degrees at most. The axis has length one, and is z rather than -z, so that degrees count
+  // counter-clockwise in 2D.
+  Turn turn(double time) const;
 
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
 

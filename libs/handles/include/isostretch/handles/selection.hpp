@@ -64,7 +64,13 @@ struct Patch {
   double distance = 0;
 };
 
-using Selection = std::variant<All, Box, Sphere, List, Slab, Nearest, Patch>;
+// A bone: nodes within a distance of the straight line between two points, which may be one.
+struct Segment {
+  Point from = Point::Zero(), to = Point::Zero();
+  double distance = 0;
+};
+
+using Selection = std::variant<All, Box, Sphere, List, Slab, Nearest, Patch, Segment>;
 
 // The nodes selected, ascending, each once. Throws Error, beginning with `name`, when there are none, for a
 // node out of range, and for sizes, axes and counts that make no sense.

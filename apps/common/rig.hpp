@@ -1,13 +1,13 @@
 #pragma once
 
 #include "common/body.hpp"
-#include "scene.hpp"
+#include "common/handle_script.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace isostretch::app::deform {
+namespace isostretch::app {
 
 struct Handle {
   std::string path;  // in the scene, for messages
@@ -22,7 +22,7 @@ class Rig {
  public:
   // Throws Error naming the handle's path for selections without a node, and naming the node and both handles
   // where two of them move a node to different places, or one hard and one soft.
-  Rig(const Scene& scene, const Body& body);
+  Rig(const HandleScript& script, const Body& body);
 
   const std::vector<Handle>& handles() const { return handles_; }
   // Some handle begins elsewhere than at rest: motions start at the scene's rest_time() then.
@@ -40,8 +40,9 @@ class Rig {
 
  private:
   void place(double time, Vector& positions, bool soft_too) const;
-  void share_nodes(const Scene& scene, double tolerance);
-  void require_alike(const Handle& a, const Handle& b, int node, const Scene& scene, double tolerance) const;
+  void share_nodes(const HandleScript& script, double tolerance);
+  void require_alike(const Handle& a, const Handle& b, int node, const HandleScript& script,
+                     double tolerance) const;
 
   handles::Nodes nodes_;
   std::vector<Handle> handles_;
@@ -50,5 +51,7 @@ class Rig {
 
 // Components of the body that no handle holds, each by its smallest node.
 std::vector<int> loose_components(const Rig& rig, const Body& body);
+// What to warn of then; empty where there are none.
+std::string loose_components_text(const std::vector<int>& loose);
 
-}  // namespace isostretch::app::deform
+}  // namespace isostretch::app

@@ -1,4 +1,4 @@
-#include "handle_text.hpp"
+#include "common/handle_text.hpp"
 
 #include "common/numbers.hpp"
 
@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace isostretch::app::deform {
+namespace isostretch::app {
 namespace {
 
 [[noreturn]] void fail(const std::string& part, const std::string& what) {
@@ -73,12 +73,16 @@ Json selection(const std::string& part) {
   if (part == "all") return "all";
   if (kind == "slab") return {{"slab", slab(part, rest)}};
   if (kind == "vertices") return {{"vertices", list(part, rest)}};
-  if (kind != "box" && kind != "sphere" && kind != "nearest" && kind != "patch")
-    fail(part, "is no selection: all, box, sphere, vertices, slab, nearest, patch");
+  if (kind != "box" && kind != "sphere" && kind != "segment" && kind != "nearest" && kind != "patch")
+    fail(part, "is no selection: all, box, sphere, segment, vertices, slab, nearest, patch");
   const std::vector<double> n = numbers(part, rest);
   if (kind == "box") {
     const std::size_t dim = dimension(part, n.size(), 2, 0);
     return {{"box", {{"min", point(n, 0, dim)}, {"max", point(n, dim, dim)}}}};
+  }
+  if (kind == "segment") {
+    const std::size_t dim = dimension(part, n.size(), 2, 1);
+    return {{"segment", {{"from", point(n, 0, dim)}, {"to", point(n, dim, dim)}, {"distance", n.back()}}}};
   }
   if (kind == "nearest") {
     const std::size_t dim = dimension(part, n.size(), 1, 0);
@@ -95,38 +99,46 @@ Json rotation(const std::string& part, const std::string& value) {
   return {{"axis", Json(numbers(part, axis))}, {"degrees", number(part, degrees)}};
 }
 
-void add_property(const std::string& part, Json& handle) {
+void add_property(const std::string& part, Holding holding, Json& handle) {
+  const char* const how = holding == Holding::hard ? "soft" : "hard";
   std::string key, value;
+  if (part == how && holding == Holding::soft) {
+    handle[how] = true;
+    return;
+  }
   if (!cut(part, '=', key, value)) fail(part, "is not of the form key=value");
   if (handle.contains(key)) fail(part, "is given twice");
   if (key == "rotate")
     handle[key] = rotation(part, value);
   else if (key == "translate" || key == "center")
     handle[key] = numbers(part, value);
-  else if (key == "scale" || key == "soft")
+  else if (key == "scale" || (key == how && holding == Holding::hard))
     handle[key] = number(part, value);
   else if (key == "name")
     handle[key] = value;
   else
-    fail(part, "has an unknown key; there are translate, rotate, scale, center, soft, name");
+    fail(part,
+         std::string("has an unknown key; there are translate, rotate, scale, center, ") + how + ", name");
 }
 
 }  // namespace
 
-Json handle_from_text(const std::string& text) {
+Json handle_from_text(const std::string& text, Holding holding) {
   const std::vector<std::string> parts = split(text, ';');
   Json handle{{"select", selection(parts[0])}};
-  for (std::size_t i = 1; i < parts.size(); ++i) add_property(parts[i], handle);
+  for (std::size_t i = 1; i < parts.size(); ++i) add_property(parts[i], holding, handle);
   return handle;
 }
 
-std::string handle_help() {
-  return "Handles: SELECTION[;KEY=VALUE...], in quotes for the shell's sake\n"
-         "  SELECTION  all | slab:AXIS,min|max,FRACTION | box:X,Y,Z,X,Y,Z | sphere:X,Y,Z,RADIUS |\n"
-         "             vertices:N[,N...] | nearest:X,Y,Z | patch:X,Y,Z,DISTANCE\n"
-         "  KEY=VALUE  translate=X,Y,Z | rotate=X,Y,Z:DEGREES | scale=S | center=X,Y,Z | soft=WEIGHT | "
-         "name=TEXT\n"
-         "  In the plane points have two numbers, and rotate=DEGREES.\n";
+std::string handle_help(Holding holding) {
+  return std::string(
+             "Handles: SELECTION[;KEY=VALUE...], in quotes for the shell's sake\n"
+             "  SELECTION  all | slab:AXIS,min|max,FRACTION | box:X,Y,Z,X,Y,Z | sphere:X,Y,Z,RADIUS |\n"
+             "             segment:X,Y,Z,X,Y,Z,DISTANCE | vertices:N[,N...] | nearest:X,Y,Z |\n"
+             "             patch:X,Y,Z,DISTANCE\n"
+             "  KEY=VALUE  translate=X,Y,Z | rotate=X,Y,Z:DEGREES | scale=S | center=X,Y,Z | ") +
+         (holding == Holding::hard ? "soft=WEIGHT" : "hard") +
+         " | name=TEXT\n  In the plane points have two numbers, and rotate=DEGREES.\n";
 }
 
-}  // namespace isostretch::app::deform
+}  // namespace isostretch::app

@@ -1,13 +1,14 @@
-#include "selection_reader.hpp"
+#include "common/selection_reader.hpp"
 
 #include <limits>
 
-namespace isostretch::app::deform {
+namespace isostretch::app {
 namespace {
 
 constexpr ChoiceNames<int, 3> axis_names{{{"x", 0}, {"y", 1}, {"z", 2}}};
 constexpr ChoiceNames<handles::End, 2> end_names{{{"min", handles::End::min}, {"max", handles::End::max}}};
-const std::vector<std::string> kinds{"all", "box", "sphere", "vertices", "slab", "nearest", "patch"};
+const std::vector<std::string> kinds{"all",      "box",  "sphere",  "segment",
+                                     "vertices", "slab", "nearest", "patch"};
 
 handles::Box read_box(const JsonValue& value, int dim) {
   value.only({"min", "max"});
@@ -28,6 +29,11 @@ handles::Slab read_slab(const JsonValue& value, int dim) {
   const bool relative = value.has("fraction");
   return {number, value.at("end").choice(end_names), value.at(relative ? "fraction" : "width").positive(),
           relative};
+}
+
+handles::Segment read_segment(const JsonValue& value, int dim) {
+  value.only({"from", "to", "distance"});
+  return {value.at("from").point(dim), value.at("to").point(dim), value.at("distance").positive()};
 }
 
 handles::Nearest read_nearest(const JsonValue& value, int dim) {
@@ -52,10 +58,11 @@ handles::Selection read_selection(const JsonValue& value, int dim) {
   if (value.json().size() != 1) value.fail("must have one of the keys " + listed(kinds));
   if (const auto box = value.find("box")) return read_box(*box, dim);
   if (const auto sphere = value.find("sphere")) return read_sphere(*sphere, dim);
+  if (const auto segment = value.find("segment")) return read_segment(*segment, dim);
   if (const auto slab = value.find("slab")) return read_slab(*slab, dim);
   if (const auto nearest = value.find("nearest")) return read_nearest(*nearest, dim);
   if (const auto patch = value.find("patch")) return read_patch(*patch, dim);
   return handles::List{value.at("vertices").whole_numbers()};
 }
 
-}  // namespace isostretch::app::deform
+}  // namespace isostretch::app

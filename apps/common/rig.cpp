@@ -1,4 +1,6 @@
-#include "rig.hpp"
+#include "common/rig.hpp"
+
+#include "common/formatted.hpp"
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/handles/elements.hpp>
@@ -6,7 +8,7 @@
 #include <algorithm>
 #include <set>
 
-namespace isostretch::app::deform {
+namespace isostretch::app {
 namespace {
 
 bool is_rest(const handles::Transform& t) {
@@ -14,21 +16,22 @@ bool is_rest(const handles::Transform& t) {
 }
 
 // The motion, and before it the way from rest to where it begins.
-std::vector<handles::Keyframe> from_rest(const std::vector<handles::Keyframe>& keys, const Scene& scene) {
+std::vector<handles::Keyframe> from_rest(const std::vector<handles::Keyframe>& keys,
+                                         const HandleScript& script) {
   const handles::Keyframe& first = keys.front();
   if (is_rest(first.transform)) return keys;
-  std::vector<handles::Keyframe> result{{scene.rest_time(), {}}};
+  std::vector<handles::Keyframe> result{{script.rest_time(), {}}};
   result[0].transform.axis = first.transform.axis;
-  if (scene.start < first.time) result.push_back({scene.start, first.transform});
+  if (script.start < first.time) result.push_back({script.start, first.transform});
   result.insert(result.end(), keys.begin(), keys.end());
   return result;
 }
 
-Handle resolved(const HandleSpec& spec, const Scene& scene, const handles::Nodes& nodes) {
+Handle resolved(const HandleSpec& spec, const HandleScript& script, const handles::Nodes& nodes) {
   std::vector<int> chosen = handles::select(spec.select, nodes, spec.path + ".select");
   const handles::Point center = spec.center.value_or(handles::center_of(chosen, nodes));
   return {spec.path, spec.name, std::move(chosen),
-          handles::Motion(from_rest(spec.keyframes, scene), center, spec.path), spec.soft};
+          handles::Motion(from_rest(spec.keyframes, script), center, spec.path), spec.soft};
 }
 
 std::string called(const Handle& handle) {
@@ -37,21 +40,21 @@ std::string called(const Handle& handle) {
 
 }  // namespace
 
-Rig::Rig(const Scene& scene, const Body& body) : nodes_(body.selectable()) {
-  for (const HandleSpec& spec : scene.handles) handles_.push_back(resolved(spec, scene, nodes_));
-  for (const HandleSpec& spec : scene.handles)
+Rig::Rig(const HandleScript& script, const Body& body) : nodes_(body.selectable()) {
+  for (const HandleSpec& spec : script.handles) handles_.push_back(resolved(spec, script, nodes_));
+  for (const HandleSpec& spec : script.handles)
     comes_from_rest_ = comes_from_rest_ || !is_rest(spec.keyframes.front().transform);
-  share_nodes(scene, 1e-12 * body.diagonal());
+  share_nodes(script, 1e-12 * body.diagonal());
 }
 
-void Rig::share_nodes(const Scene& scene, double tolerance) {
+void Rig::share_nodes(const HandleScript& script, double tolerance) {
   std::vector<int> owner(static_cast<std::size_t>(nodes_.count()), -1);
   for (std::size_t h = 0; h < handles_.size(); ++h) {
     std::vector<int> own;
     for (const int node : handles_[h].nodes) {
       int& first = owner[static_cast<std::size_t>(node)];
       if (first >= 0)
-        require_alike(handles_[static_cast<std::size_t>(first)], handles_[h], node, scene, tolerance);
+        require_alike(handles_[static_cast<std::size_t>(first)], handles_[h], node, script, tolerance);
       else
         first = static_cast<int>(h), own.push_back(node);
     }
@@ -59,12 +62,12 @@ void Rig::share_nodes(const Scene& scene, double tolerance) {
   }
 }
 
-void Rig::require_alike(const Handle& a, const Handle& b, int node, const Scene& scene,
+void Rig::require_alike(const Handle& a, const Handle& b, int node, const HandleScript& script,
                         double tolerance) const {
   const std::string who = "vertex " + std::to_string(node) + " is in " + called(a) + " and in " + called(b);
   if (a.soft != b.soft) throw Error(who + ", which do not hold it alike: hard, or with which weight?");
-  for (int frame = 0; frame <= scene.frames; ++frame) {
-    const double time = scene.time(frame);
+  for (int frame = 0; frame <= script.frames; ++frame) {
+    const double time = script.time(frame);
     if (!((target(a, node, time) - target(b, node, time)).norm() <= tolerance))
       throw Error(who + ", which move it to different places");
   }
@@ -106,4 +109,13 @@ std::vector<int> loose_components(const Rig& rig, const Body& body) {
   return loose;
 }
 
-}  // namespace isostretch::app::deform
+std::string loose_components_text(const std::vector<int>& loose) {
+  if (loose.empty()) return {};
+  std::string text = formatted(
+      "%zu component(s) of the mesh have no handle and stay where they are, those of vertex", loose.size());
+  for (std::size_t i = 0; i < std::min<std::size_t>(loose.size(), 5); ++i)
+    text.append(i > 0 ? ", " : " ").append(std::to_string(loose[i]));
+  return text + (loose.size() > 5 ? ", ..." : "");
+}
+
+}  // namespace isostretch::app

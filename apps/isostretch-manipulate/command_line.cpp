@@ -1,0 +1,231 @@
+#include "command_line.hpp"
+
+#include "common/exit_code.hpp"
+#include "common/handle_text.hpp"
+#include "common/json_value.hpp"
+#include "common/numbers.hpp"
+#include "common/validators.hpp"
+#include "scene.hpp"
+#include "scene_reader.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace isostretch::app::manipulate {
+namespace {
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const sdp_penalty::Method method : sdp_penalty::all_methods())
+    names.emplace_back(sdp_penalty::method_name(method));
+  return names;
+}
+
+std::vector<std::string> penalty_names() {
+  std::vector<std::string> names;
+  for (const sdp_penalty::Penalty penalty : sdp_penalty::all_penalties())
+    names.emplace_back(sdp_penalty::penalty_name(penalty));
+  return names;
+}
+
+constexpr int most_frames = 1'000'000;
+
+int frame_number(const std::string& text, const std::string& word) {
+  const auto number = whole_number(word);
+  if (!number || *number < 1 || *number > most_frames)
+    throw Error("--frames: '" + text + "' is neither a number of frames nor FIRST:LAST");
+  return *number;
+}
+
+template <class Choice, std::size_t N>
+void add_choice(CLI::App& cli, const std::string& flag, std::optional<std::string>& value,
+                const ChoiceNames<Choice, N>& names, const std::string& help, const std::string& otherwise) {
+  cli.add_option(flag, value, help + listed(all_names(names)))
+      ->check(CLI::IsMember(all_names(names)))
+      ->type_name("NAME")
+      ->default_str(otherwise);
+}
+
+}  // namespace
+
+void CommandLine::declare(CLI::App& cli) {
+  declare_files(cli);
+  declare_problem(cli);
+  declare_photo(cli);
+}
+
+void CommandLine::declare_files(CLI::App& cli) {
+  cli.add_option("input", input_,
+                 "Tets (MSH, MESH, VTK, VTU), a surface in the plane z = 0, or a scene (JSON)")
+      ->type_name("FILE");
+  cli.add_option("-o,--out", out_,
+                 "Folder for frames, summary.json, trace.csv, manipulate.png, path.png, report.html")
+      ->required()
+      ->type_name("FOLDER");
+  cli.add_option("--mesh", mesh_, "Instead of the scene's mesh")->type_name("FILE");
+  cli.add_option("--refine", refine_, "Multiplies the cells of a generated body in every direction")
+      ->check(whole_number_between(1, 10'000))
+      ->type_name("K");
+  cli.add_option("--weights-cache", weights_cache_,
+                 "Keep handle weights in that folder, and take them from it")
+      ->type_name("FOLDER");
+  add_choice(cli, "--format", format_, frame_format_names, "Of the frames: ", "vtu");
+  cli.add_flag("--no-picture", no_picture_, "Draw no pictures, and write no report.html");
+}
+
+void CommandLine::declare_problem(CLI::App& cli) {
+  cli.add_option("--handle", handles_, handle_help(Holding::soft) + "May be repeated")
+      ->allow_extra_args(false)
+      ->type_name("HANDLE");
+  cli.add_option("--frames", frames_,
+                 "N: from rest to the end of the motion; FIRST:LAST: only these of the scene's")
+      ->type_name("N|FIRST:LAST")
+      ->default_str("1");
+  cli.add_option("--alpha", alpha_, "Weight of the soft handles")
+      ->check(positive())
+      ->type_name("X")
+      ->default_str("1e4");
+  cli.add_flag("--absolute", absolute_, "Lengths are those of the mesh, not shares of its diagonal");
+  add_choice(cli, "--weights", weights_, weights_names,
+             "Of the elements: ", name_of(weights_names, Weights::volume));
+  cli.add_option("--incompressibility", incompressibility_, "kappa")
+      ->check(not_negative())
+      ->type_name("X")
+      ->default_str("0");
+  cli.add_option("--margin", margin_, "Least eigenvalue that S may have, below 1")
+      ->check(not_negative())
+      ->type_name("X")
+      ->default_str("0");
+  cli.add_option("--largest-stretch", largest_stretch_, "Largest factor by which a length may grow, above 1")
+      ->check(positive())
+      ->type_name("X")
+      ->default_str("none");
+  cli.add_option("--relinearize", relinearize_,
+                 "At most so many rounds more, each with the rotations of the result before as ex-rotations")
+      ->check(whole_number_between(0, 1'000'000))
+      ->type_name("N")
+      ->default_str("0");
+  add_choice(cli, "--rotations", rotations_, rotations_names,
+             "Ex-rotations of the elements: ", name_of(rotations_names, Rotations::biharmonic));
+  add_choice(cli, "--blend", blend_, blend_names,
+             "Of the handles' rotations: ", "angle in the plane, else quaternion");
+  cli.add_option("--method", method_, listed(method_names()))
+      ->check(CLI::IsMember(method_names()))
+      ->type_name("NAME")
+      ->default_str(std::string(sdp_penalty::method_name(sdp_penalty::Options().method)));
+  cli.add_option("--penalty", penalty_, "Of --method penalty: " + listed(penalty_names()))
+      ->check(CLI::IsMember(penalty_names()))
+      ->type_name("NAME")
+      ->default_str(std::string(sdp_penalty::penalty_name(sdp_penalty::PenaltyOptions().penalty)));
+  cli.add_option("--gap", gap_, "Stop when nothing better by more than this share exists")
+      ->check(positive())
+      ->type_name("X")
+      ->default_str("1e-6");
+  cli.add_option("--max-iterations", max_iterations_, "Of a frame")
+      ->check(whole_number_between(1, 1'000'000'000))
+      ->type_name("N");
+  cli.add_option("--time-limit", time_limit_, "Stop after so many seconds; 0: no limit")
+      ->check(not_negative())
+      ->type_name("SECONDS");
+}
+
+void CommandLine::declare_photo(CLI::App& cli) {
+  cli.add_option("--photo", photo_, "Picture (PNG) that the mesh covers; drawn deformed with every frame")
+      ->type_name("FILE");
+  cli.add_option("--photo-cells", photo_cells_,
+                 "Instead of a mesh: a grid with so many cells on its longer side")
+      ->check(whole_number_between(1, 100'000))
+      ->type_name("N");
+  add_choice(cli, "--photo-fit", photo_fit_, photo_fit_names,
+             "How it lies on the mesh: ", name_of(photo_fit_names, PhotoFit::box));
+}
+
+Options CommandLine::options() const {
+  return failing_with(ExitCode::command_line, [this] {
+    Options options;
+    options.out = out_;
+    options.time_limit = time_limit_;
+    options.picture = !no_picture_;
+    options.weights_cache = weights_cache_;
+    if (frames_ && frames_->find(':') != std::string::npos) {
+      const auto ends = split(*frames_, ':');
+      options.range = {frame_number(*frames_, ends[0]), frame_number(*frames_, ends[1])};
+      if (ends.size() != 2 || options.range->last < options.range->first)
+        throw Error("--frames: '" + *frames_ + "' is no range FIRST:LAST");
+    }
+    return options;
+  });
+}
+
+// Files of a scene are sought from its folder, those of the command line from here.
+std::string CommandLine::path_from_here(const std::string& file) const {
+  return has_scene_file() ? std::filesystem::absolute(file).string() : file;
+}
+
+void CommandLine::add_mesh(Json& scene) const {
+  if (photo_cells_ && (mesh_ || (!input_.empty() && !has_scene_file())))
+    throw Failure(ExitCode::command_line, "--photo-cells makes the mesh: give no other");
+  if (!input_.empty() && !has_scene_file()) scene["mesh"] = input_.string();
+  if (mesh_) scene["mesh"] = path_from_here(*mesh_);
+  if (photo_cells_) scene["mesh"] = Json{{"photo_grid", {{"cells", *photo_cells_}}}};
+  if (!scene.contains("mesh") && !has_scene_file())
+    throw Failure(ExitCode::command_line,
+                  "there is no mesh: give a file, a scene, or --photo with --photo-cells");
+}
+
+void CommandLine::add_handles(Json& scene) const {
+  failing_with(ExitCode::command_line, [&] {
+    for (const std::string& text : handles_)
+      scene["handles"].push_back(handle_from_text(text, Holding::soft));
+    if (has_scene_file()) return;  // what it lacks is said when its turn comes
+    if (!scene.contains("handles")) throw Error("--handle: there must be one at least");
+  });
+}
+
+void CommandLine::add_photo(Json& scene) const {
+  if (photo_) {
+    scene["photo"] = Json{{"file", path_from_here(*photo_)}};
+  } else if (photo_fit_ && scene.contains("photo") && scene["photo"].is_string()) {
+    scene["photo"] = Json{{"file", scene["photo"]}};
+  }
+  if (!photo_fit_) return;
+  if (!scene.contains("photo"))
+    throw Failure(ExitCode::command_line, "--photo-fit says how a picture lies, and there is none");
+  scene["photo"]["fit"] = *photo_fit_;
+}
+
+Json CommandLine::scene() const {
+  Json scene = Json::object();
+  if (has_scene_file())
+    scene = failing_with(ExitCode::input, [this] {
+      const Json json = read_json_file(input_);
+      naming_file(input_, [&] { JsonValue(json).only(scene_keys()); });
+      return json;
+    });
+  add_mesh(scene);
+  try {
+    add_handles(scene);
+    add_photo(scene);
+  } catch (const Json::exception&) {
+    throw Failure(ExitCode::input,
+                  input_.string() + ": handles or photo are nothing that the command line could add to");
+  }
+  if (frames_ && frames_->find(':') == std::string::npos)
+    scene["frames"] = failing_with(ExitCode::command_line, [&] { return frame_number(*frames_, *frames_); });
+  if (alpha_) scene["alpha"] = *alpha_;
+  if (absolute_) scene["units"] = name_of(units_names, Units::mesh);
+  if (weights_) scene["weights"] = *weights_;
+  if (incompressibility_) scene["incompressibility"] = *incompressibility_;
+  if (margin_) scene["margin"] = *margin_;
+  if (rotations_) scene["rotations"] = *rotations_;
+  if (blend_) scene["blend"] = *blend_;
+  if (method_) scene["method"] = *method_;
+  if (penalty_) scene["penalty"] = *penalty_;
+  if (largest_stretch_) scene["largest_stretch"] = *largest_stretch_;
+  if (relinearize_) scene["relinearize"] = *relinearize_;
+  if (gap_) scene["gap"] = *gap_;
+  if (max_iterations_) scene["max_iterations"] = *max_iterations_;
+  if (format_) scene["format"] = *format_;
+  return scene;
+}
+
+}  // namespace isostretch::app::manipulate

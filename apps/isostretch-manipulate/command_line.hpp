@@ -1,0 +1,57 @@
+#pragma once
+
+#include "common/output_folder.hpp"
+#include "options.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace isostretch::app::manipulate {
+
+// The options of this app: declared to CLI11, then read with everything that CLI11 cannot check itself.
+class CommandLine {
+ public:
+  void declare(CLI::App& cli);
+
+  // Both throw Failure: with ExitCode::command_line naming the option at fault, with ExitCode::input where it
+  // is a scene file.
+  Options options() const;
+  // The scene file, if there is one, with what the command line adds or replaces.
+  Json scene() const;
+
+  bool has_scene_file() const { return input_.extension() == ".json"; }
+  const std::filesystem::path& input() const { return input_; }
+  // Where the files of the scene are looked for.
+  std::filesystem::path folder() const { return has_scene_file() ? input_.parent_path() : ""; }
+  int refine() const { return refine_; }
+
+ private:
+  void declare_files(CLI::App& cli);
+  void declare_problem(CLI::App& cli);
+  void declare_photo(CLI::App& cli);
+  std::string path_from_here(const std::string& file) const;
+  void add_mesh(Json& scene) const;
+  void add_handles(Json& scene) const;
+  void add_photo(Json& scene) const;
+
+  std::filesystem::path input_;
+  std::string out_, weights_cache_;
+  std::optional<std::string> mesh_, frames_, weights_, rotations_, blend_, method_, penalty_, format_, photo_,
+      photo_fit_;
+  std::optional<double> alpha_, incompressibility_, margin_, largest_stretch_, gap_;
+  std::optional<int> max_iterations_, relinearize_, photo_cells_;
+  std::vector<std::string> handles_;
+  int refine_ = 1;
+  double time_limit_ = 0;
+  bool absolute_ = false, no_picture_ = false;
+};
+
+}  // namespace isostretch::app::manipulate

@@ -1,0 +1,15 @@
+#include "command_line.hpp"
+#include "manipulate.hpp"
+
+int main(int argc, char** argv) {
+  using namespace isostretch::app;
+  manipulate::CommandLine command_line;
+  return run_app(
+      argc, argv,
+      {.name = "isostretch-manipulate",
+       .purpose =
+           "Moves and turns parts of a body and lets the rest follow without an inverted element, with a "
+           "proof of how close to the best possible.",
+       .declare = [&](CLI::App& cli) { command_line.declare(cli); },
+       .body = [&](const CommonOptions& common) { return manipulate::manipulate(command_line, common); }});
+}

@@ -1,0 +1,225 @@
+#include "manipulate.hpp"
+
+#include "common/formatted.hpp"
+#include "common/sequence_report.hpp"
+#include "common/terminal.hpp"
+#include "common/vtu.hpp"
+#include "photo_frames.hpp"
+#include "report.hpp"
+#include "scene_reader.hpp"
+
+#include <isostretch/core/timer.hpp>
+
+#include <utility>
+
+namespace isostretch::app::manipulate {
+namespace {
+
+template <class Work>
+auto timed(double& seconds, Work&& work) {
+  const ScopedTimer timer(seconds);
+  return work();
+}
+
+// What the scene says wrong is the fault of its file, or of the command line when there is no such file; what
+// is wrong in a mesh is that of the mesh in any case.
+template <class Work>
+auto reading_scene(const CommandLine& command_line, Work&& work) {
+  const ExitCode code = command_line.has_scene_file() ? ExitCode::input : ExitCode::command_line;
+  return failing_with(code, [&] {
+    if (command_line.has_scene_file()) return naming_file(command_line.input(), work);
+    return work();
+  });
+}
+
+// Frames that have a file.
+Json files_of(const Json& frames) {
+  Json files = Json::array();
+  for (const Json& frame : frames)
+    if (frame.contains("file")) files.push_back(frame);
+  return files;
+}
+
+class Job {
+ public:
+  Job(const CommandLine& command_line, const CommonOptions& common)
+      : options_(command_line.options()),
+        common_(common),
+        json_(command_line.scene()),
+        body_(timed(seconds_.read, [&] { return read_body(command_line); })),
+        scene_(reading_scene(command_line, [&] { return read_scene(json_, body_.dim); })),
+        rig_(reading_scene(command_line, [&] { return Rig(scene_.script, body_); })),
+        photo_(read_photo(command_line)),
+        strain_(body_) {
+    reading_scene(command_line, [&] { require_holds(scene_.format, body_); });
+    range_ = options_.range.value_or(FrameRange{1, scene_.script.frames});
+    if (range_.last > scene_.script.frames)
+      throw Failure(ExitCode::command_line, formatted("--frames: there is no frame %d, the scene has %d",
+                                                      range_.last, scene_.script.frames));
+  }
+
+  ExitCode run(const CommandLine& command_line) {
+    OutputFolder folder(options_.out);
+    if (!options_.weights_cache.empty()) const OutputFolder writable(options_.weights_cache);
+    const ElementRotations rotations = reading_scene(
+        command_line, [&] { return ElementRotations(scene_, body_, rig_, options_.weights_cache); });
+    seconds_.weights = rotations.seconds();
+    Result result{scene_, body_, rig_, rotations, name_of_run(command_line)};
+    result.wanted = range_.last - range_.first + 1;
+    warn_of_loose_components(result);
+    timed(seconds_.write, [&] { write_rest(result, folder); });
+    make_frames(result, folder);
+    write_reports(result, folder);
+    return conclude(verdict(result), exit_code(result), folder, options_.out, common_.verbose);
+  }
+
+ private:
+  Body read_body(const CommandLine& command_line) const {
+    const BodySpec spec = reading_scene(
+        command_line, [&] { return read_body_spec(json_, command_line.folder(), command_line.refine()); });
+    const auto load = [&] {
+      Body body = load_body(spec);
+      require_linear(body);
+      return body;
+    };
+    return spec.generated ? reading_scene(command_line, load) : failing_with(ExitCode::input, load);
+  }
+
+  std::optional<PhotoFrames> read_photo(const CommandLine& command_line) const {
+    const auto spec =
+        reading_scene(command_line, [&] { return read_photo_spec(json_, command_line.folder()); });
+    if (!spec) return {};
+    return failing_with(ExitCode::input,
+                        [&] { return std::optional<PhotoFrames>(std::in_place, *spec, body_); });
+  }
+
+  std::string name_of_run(const CommandLine& command_line) const {
+    return command_line.has_scene_file() ? command_line.input().stem().string() : body_.name;
+  }
+
+  static void add_warning(Result& result, const std::string& text) {
+    result.warnings.push_back(text);
+    warn(text);
+  }
+
+  void warn_of_loose_components(Result& result) const {
+    const std::string text = loose_components_text(loose_components(rig_, body_));
+    if (!text.empty()) add_warning(result, text);
+  }
+
+  void write_rest(Result& result, OutputFolder& folder) const {
+    const std::string file = frame_name(0, scene_.format);
+    const Vector rest = body_.rest_positions();
+    const StrainField strain = strain_.at(rest);
+    const std::size_t count = strain.min_det.size();
+    folder.write_now(file, format_frame(scene_.format, body_, rest,
+                                        {{"min_eig_S", std::vector<double>(count, 1.0)},
+                                         {"det_F", strain.min_det},
+                                         {"length_change", strain.length_change}}));
+    add_rest_frame(result, strain, file);
+    if (result.rotations.weights())
+      folder.write_now("weights.vtu",
+                       vtu_text(body_, body_.nodes, {}, weight_fields(*result.rotations.weights())));
+  }
+
+  std::vector<NodeField> weight_fields(const handles::HandleWeights& weights) const {
+    std::vector<NodeField> fields;
+    const auto count = static_cast<std::size_t>(weights.handles);
+    for (std::size_t h = 0; h < count; ++h) {
+      fields.push_back({"weight_" + std::to_string(h), {}});
+      for (std::size_t i = h; i < weights.values.size(); i += count)
+        fields.back().values.push_back(weights.values[i]);
+    }
+    return fields;
+  }
+
+  void make_frames(Result& result, OutputFolder& folder) {
+    FrameSolver solver(scene_, body_, rig_, result.rotations, options_.time_limit);
+    for (int frame = range_.first; frame <= range_.last; ++frame) {
+      const std::string reason = solver.halt();
+      if (!reason.empty() && frame > range_.first) {
+        result.outcome = Outcome::stopped;
+        result.message = reason + formatted(" before frame %d", frame);
+        return;
+      }
+      FrameResult made = timed(seconds_.solve, [&] { return solver.solve(frame); });
+      const bool on = made.summary.status != sdp_penalty::Status::callback;
+      if (!on) {
+        result.outcome = Outcome::stopped;
+        result.message = formatted("frame %d: ", frame) + made.summary.message;
+      }
+      timed(seconds_.write, [&] { take(result, std::move(made), folder); });
+      if (!on) return;
+    }
+  }
+
+  void take(Result& result, FrameResult made, OutputFolder& folder) {
+    const std::string file = frame_name(made.frame, scene_.format);
+    if (!made.made()) {
+      add_frame(result, made, {}, {}, file);
+      warn(formatted("frame %d: ", made.frame) + made.trouble);
+      return;
+    }
+    const Shape before = shape_of(result, strain_, made.rotations, made.before),
+                after = shape_of(result, strain_, made.rotations, made.positions);
+    folder.write_now(file, format_frame(scene_.format, body_, made.positions,
+                                        {{"min_eig_S", after.eigenvalues},
+                                         {"det_F", after.strain.min_det},
+                                         {"length_change", after.strain.length_change}}));
+    add_frame(result, made, before, after, file);
+    notice(formatted("frame %d of %d: ", made.frame, scene_.script.frames) +
+           std::string(sdp_penalty::status_name(made.summary.status)) +
+           formatted(", %d iterations, gap %.1e, inverted %zu -> %zu, min det F %.2g, %.2f s",
+                     made.summary.iterations, made.summary.gap, before.strain.inverted.size(),
+                     after.strain.inverted.size(), after.strain.smallest_det(), made.seconds));
+    if (photo_) photo_->add(made.frame, made.positions);
+    result.last = std::move(made);
+  }
+
+  void write_photos(Result& result, OutputFolder& folder) const {
+    if (!photo_) return;
+    const int shrink = photo_->write(folder);
+    if (shrink > 1)
+      add_warning(
+          result,
+          formatted("the photo is drawn %d times smaller: at its own scale it would be too large", shrink));
+  }
+
+  void write_reports(Result& result, OutputFolder& folder) {
+    std::string states, path;
+    timed(seconds_.write, [&] {
+      write_photos(result, folder);
+      folder.add("trace.csv", result.trace);
+      if (scene_.format == FrameFormat::vtu)
+        folder.add("manipulate.pvd", animation_text(files_of(result.frames)));
+      if (!options_.picture || result.last.positions.size() == 0) return;
+      folder.add("manipulate.png", states = draw_states(result, strain_));
+      folder.add("path.png", path = draw_path(result, strain_));
+    });
+    seconds_.total = timer_.seconds();
+    const Json summary = summary_json(result, seconds_);
+    folder.add_json("summary.json", summary);
+    if (options_.picture) folder.add("report.html", report_page(result, summary, states, path));
+    folder.commit();
+  }
+
+  Timer timer_;
+  PhaseSeconds seconds_;
+  Options options_;
+  const CommonOptions& common_;
+  Json json_;
+  Body body_;
+  Scene scene_;
+  Rig rig_;
+  std::optional<PhotoFrames> photo_;
+  Strain strain_;
+  FrameRange range_;
+};
+
+}  // namespace
+
+ExitCode manipulate(const CommandLine& command_line, const CommonOptions& common) {
+  return Job(command_line, common).run(command_line);
+}
+
+}  // namespace isostretch::app::manipulate

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace isostretch::app::manipulate {
+
+// Frames to make, both included.
+struct FrameRange {
+  int first = 1, last = 1;
+};
+
+// What does not belong to the scene: it changes no result.
+struct Options {
+  std::filesystem::path out;
+  std::optional<FrameRange> range;  // none: all
+  double time_limit = 0;            // seconds; 0: none
+  bool picture = true;
+  std::filesystem::path weights_cache;  // empty: none
+};
+
+}  // namespace isostretch::app::manipulate

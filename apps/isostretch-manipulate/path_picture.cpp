@@ -1,0 +1,170 @@
+// The way from ex-rotated skinning to the result: a row of iterates, and how they converge.
+#include "common/figures/axis.hpp"
+#include "common/figures/deformed_views.hpp"
+#include "common/formatted.hpp"
+#include "common/rig_figure.hpp"
+#include "report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isostretch::app::manipulate {
+namespace {
+
+using figures::Align;
+using figures::Axis;
+using figures::Box;
+using figures::Canvas;
+using figures::Color;
+using figures::Point;
+
+constexpr int width = 1600, shown = 6;
+constexpr double margin = 24, top = 92, gap = 12, inset = 12, caption = 66, most_view = 330,
+                 plot_height = 220;
+constexpr figures::LineStyle grid_style{{0.5, 0.5, 0.5}, 0.6, 0.35};
+constexpr Color inverted_color{0.0, 0.47, 0.62}, gap_color{0.80, 0.33, 0.05}, grey{0.3, 0.3, 0.3};
+
+// Of positions that are not feasible the energy may lie below the bound: then there is no gap to speak of.
+double gap_of(const sdp_penalty::Iteration& row) {
+  const double scale = std::max({std::abs(row.energy), std::abs(row.lower_bound), 1e-300});
+  const double value = (row.energy - row.lower_bound) / scale;
+  return std::isfinite(value) && value > 0 ? value : 0;
+}
+
+std::string gap_text(const sdp_penalty::Iteration& row) {
+  const double value = gap_of(row);
+  return row.infeasible > 0 || !(value > 0) ? "no certificate yet" : formatted("gap %.1e", value);
+}
+
+figures::DeformationFigure path_figure(const Result& r, const Strain& strain,
+                                       const std::vector<const Iterate*>& iterates) {
+  figures::DeformationFigure figure{.title = r.name + formatted(", frame %d: the way there", r.last.frame),
+                                    .subtitle =
+                                        "Iterates from ex-rotated skinning to the result; inverted elements "
+                                        "blue",
+                                    .states = {},
+                                    .triangles = r.body.surface.mesh.triangles,
+                                    .element = r.body.surface.element,
+                                    .volumes = r.body.volumes(),
+                                    .lines = figure_lines(r.rig, r.body),
+                                    .flat = r.body.dim == 2,
+                                    .up = r.scene.up};
+  for (const Iterate* iterate : iterates) {
+    const StrainField field = strain.at(iterate->positions);
+    figure.states.push_back(
+        {{}, surface_points(r.body, r.body.points(iterate->positions)), field.length_change, field.inverted});
+  }
+  return figure;
+}
+
+void draw_captions(Canvas& canvas, Point at, const sdp_penalty::Iteration& row) {
+  const figures::TextStyle bold{.size = 14, .bold = true, .across = Align::middle},
+      plain{.size = 13, .color = grey, .across = Align::middle};
+  canvas.text({at.x, at.y + 14}, formatted("iteration %d, %.3g s", row.iteration, row.seconds), bold);
+  canvas.text(
+      {at.x, at.y + 33}, row.inverted > 0 ? with_thousands(row.inverted) + " inverted" : "none inverted",
+      row.inverted > 0 ? figures::TextStyle{.size = 13, .color = inverted_color, .across = Align::middle}
+                       : plain);
+  canvas.text({at.x, at.y + 51}, gap_text(row), plain);
+}
+
+struct Curve {
+  std::string title;
+  Color color;
+  Axis axis;
+  std::vector<double> values;  // one a row
+  bool steps = false;          // zero is a value, too
+};
+
+void draw_grid(Canvas& canvas, const Box& box, const Axis& x, const Axis& y) {
+  for (const figures::Tick& tick : x.ticks) {
+    const double at = box.x + box.width * x.position(tick.value);
+    canvas.line({at, box.y}, {at, box.bottom()}, grid_style);
+    canvas.text({at, box.bottom() + 15}, tick.label, {.size = 12, .across = Align::middle});
+  }
+  for (const figures::Tick& tick : y.ticks) {
+    const double at = box.bottom() - box.height * y.position(tick.value);
+    canvas.line({box.x, at}, {box.right(), at}, grid_style);
+    canvas.text({box.x - 8, at}, tick.label, {.size = 12, .across = Align::end});
+  }
+  canvas.frame(box, {grey, 0.8, 1});
+}
+
+void draw_curve(Canvas& canvas, const Box& box, const Axis& x, const std::vector<double>& seconds,
+                const Curve& curve) {
+  draw_grid(canvas, box, x, curve.axis);
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < seconds.size(); ++i)
+    if (curve.steps || curve.values[i] > 0)
+      points.push_back(
+          {box.x + box.width * x.position(seconds[i]),
+           box.bottom() - box.height * std::clamp(curve.axis.position(curve.values[i]), 0.0, 1.0)});
+  if (points.size() > 1) canvas.polyline(points, {curve.color, 2, 1});
+  if (points.size() <= 80)
+    for (const Point& p : points) canvas.dot(p, 3, curve.color);
+  if (points.empty())
+    canvas.text({box.x + 0.5 * box.width, box.y + 0.5 * box.height}, "no certificate",
+                {.color = {0.5, 0.5, 0.5}, .across = Align::middle});
+  canvas.text({box.x, box.y - 14}, curve.title, {.size = 14, .color = curve.color, .bold = true});
+  canvas.text({box.x + 0.5 * box.width, box.bottom() + 34}, "seconds", {.across = Align::middle});
+}
+
+Curve inverted_curve(const std::vector<sdp_penalty::Iteration>& trace) {
+  Curve curve{"Inverted elements", inverted_color, {}, {}, true};
+  double most = 1;
+  for (const auto& row : trace) {
+    curve.values.push_back(row.inverted);
+    most = std::max(most, curve.values.back());
+  }
+  curve.axis = figures::linear_axis(most, 5, true);
+  return curve;
+}
+
+Curve gap_curve(const std::vector<sdp_penalty::Iteration>& trace) {
+  Curve curve{"Relative gap between energy and bound", gap_color, {}, {}, false};
+  double low = 1, high = 1e-300;
+  for (const auto& row : trace) {
+    curve.values.push_back(row.iteration == 0 ? 0 : gap_of(row));
+    if (!(curve.values.back() > 0)) continue;
+    low = std::min(low, curve.values.back());
+    high = std::max(high, curve.values.back());
+  }
+  curve.axis = figures::decade_axis(std::min(low, 0.1), std::max(high, 0.1), 7);
+  return curve;
+}
+
+void draw_plots(Canvas& canvas, double y, const std::vector<sdp_penalty::Iteration>& trace) {
+  constexpr double left = 80, between = 100;
+  const double plot_width = (width - left - between - 2 * margin) / 2;
+  std::vector<double> seconds;
+  for (const auto& row : trace) seconds.push_back(row.seconds);
+  const Axis x = figures::linear_axis(std::max(seconds.empty() ? 0.0 : seconds.back(), 1e-6), 6);
+  draw_curve(canvas, {left, y, plot_width, plot_height}, x, seconds, inverted_curve(trace));
+  draw_curve(canvas, {left + plot_width + between, y, plot_width, plot_height}, x, seconds, gap_curve(trace));
+}
+
+}  // namespace
+
+std::string draw_path(const Result& r, const Strain& strain) {
+  const auto iterates = r.last.path.selection(shown);
+  const figures::DeformationFigure figure = path_figure(r, strain, iterates);
+  const int view_width = static_cast<int>((width - 2 * margin - (shown - 1) * gap) / shown);
+  const figures::DeformedViews views(figure, view_width, most_view, inset);
+  const int view_height = static_cast<int>(std::ceil(views.height()));
+  const double plots = top + view_height + caption + 48;
+  Canvas canvas(width, static_cast<int>(plots + plot_height + 56));
+  const figures::DistortionScale scale =
+      figures::distortion_scale(figure.states.back().length_change, figure.volumes, 56, 1);
+  canvas.text({margin, 32}, canvas.shortened(figure.title, width - 2 * margin, {.size = 20, .bold = true}),
+              {.size = 20, .bold = true});
+  canvas.text({margin, 60}, figure.subtitle, {.size = 14, .color = grey});
+  for (std::size_t i = 0; i < iterates.size(); ++i) {
+    const Point corner{margin + static_cast<double>(i) * (view_width + gap), top};
+    views.draw(canvas, i, corner, view_height, scale);
+    draw_captions(canvas, {corner.x + 0.5 * view_width, top + view_height + 2}, iterates[i]->row);
+  }
+  draw_plots(canvas, plots, r.last.summary.trace);
+  return canvas.png();
+}
+
+}  // namespace isostretch::app::manipulate

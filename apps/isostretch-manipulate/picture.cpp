@@ -1,0 +1,46 @@
+#include "common/figures/deformation_figure.hpp"
+#include "common/formatted.hpp"
+#include "common/rig_figure.hpp"
+#include "report.hpp"
+
+namespace isostretch::app::manipulate {
+namespace {
+
+std::string inverted_text(const StrainField& strain) {
+  return strain.inverted.empty()
+             ? "none inverted"
+             : with_thousands(static_cast<long long>(strain.inverted.size())) + " inverted (blue)";
+}
+
+std::string gap_text(const sdp_penalty::Summary& s) {
+  return s.status == sdp_penalty::Status::optimal ? formatted("certified gap %.1e", s.gap) : "not certified";
+}
+
+}  // namespace
+
+std::string draw_states(const Result& r, const Strain& strain) {
+  const FrameResult& f = r.last;
+  const StrainField rest = strain.at(r.body.rest_positions()), before = strain.at(f.before),
+                    after = strain.at(f.positions);
+  const auto state = [&](std::string caption, const Vector& positions, const StrainField& field) {
+    return figures::DeformedState{std::move(caption), surface_points(r.body, r.body.points(positions)),
+                                  field.length_change, field.inverted};
+  };
+  return figures::draw_deformation(
+      {.title = r.name + formatted(", frame %d of %d", f.frame, r.scene.script.frames),
+       .subtitle = with_thousands(r.body.elements.element_count()) + " " + plural_name(r.body.shape) +
+                   formatted("   ·   %d iterations, %.2f s   ·   ", f.summary.iterations, f.seconds) +
+                   gap_text(f.summary) + formatted("   ·   min det F %.2g", after.smallest_det()) +
+                   "   ·   lines: where handles end",
+       .states = {state("at rest", r.body.rest_positions(), rest),
+                  state("ex-rotated skinning: " + inverted_text(before), f.before, before),
+                  state("result: " + inverted_text(after), f.positions, after)},
+       .triangles = r.body.surface.mesh.triangles,
+       .element = r.body.surface.element,
+       .volumes = r.body.volumes(),
+       .lines = figure_lines(r.rig, r.body),
+       .flat = r.body.dim == 2,
+       .up = r.scene.up});
+}
+
+}  // namespace isostretch::app::manipulate

@@ -1,0 +1,245 @@
+#include "report.hpp"
+
+#include "common/formatted.hpp"
+#include "common/numbers.hpp"
+#include "common/sequence_report.hpp"
+#include "common/threads.hpp"
+#include "stretch.hpp"
+
+#include <isostretch/core/isa.hpp>
+#include <isostretch/core/version.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace isostretch::app::manipulate {
+namespace {
+
+double relative_gap(const sdp_penalty::Iteration& row) {
+  return (row.energy - row.lower_bound) / std::max({std::abs(row.energy), std::abs(row.lower_bound), 1e-300});
+}
+
+std::string trace_rows(int frame, const sdp_penalty::Summary& summary) {
+  std::string text;
+  for (const sdp_penalty::Iteration& row : summary.trace) {
+    text.append(std::to_string(frame)).append(1, ',').append(std::to_string(row.iteration));
+    for (const double value : {row.seconds, row.energy, row.lower_bound, relative_gap(row),
+                               row.min_eigenvalue, row.complementarity, row.penalty_factor, row.step})
+      text.append(1, ',').append(exact_text(value));
+    text.append(1, ',').append(std::to_string(row.inverted));
+    text.append(1, ',').append(std::to_string(row.infeasible)).append(1, '\n');
+  }
+  return text;
+}
+
+Json solve_json(const Body& body, const sdp_penalty::Summary& s) {
+  Json suspects = Json::array();
+  for (const int element : s.suspects) suspects.push_back(body.element_text(element));
+  Json json{{"status", sdp_penalty::status_name(s.status)},
+            {"certified", s.status == sdp_penalty::Status::optimal},
+            {"message", s.message},
+            {"iterations", s.iterations},
+            {"linear_solves", s.linear_solves},
+            {"energy", s.energy},
+            {"elastic_energy", s.energy - s.target_energy},
+            {"target_energy", s.target_energy},
+            {"lower_bound", s.lower_bound},
+            {"gap", s.gap},
+            {"suspects", suspects}};
+  if (s.status == sdp_penalty::Status::inadmissible) {
+    json["unreachable_eigenvalue"] = s.unreachable_eigenvalue;
+    json["extent"] = s.extent;
+  }
+  return json;
+}
+
+Json rounds_json(const std::vector<sdp_penalty::RelinearizeRound>& rounds) {
+  Json json = Json::array();
+  for (const sdp_penalty::RelinearizeRound& round : rounds)
+    json.push_back({{"energy", round.energy},
+                    {"inverted", round.inverted},
+                    {"soft", round.soft},
+                    {"linear_solves", round.linear_solves},
+                    {"seconds", round.seconds}});
+  return json;
+}
+
+Json strain_json(const StrainField& strain) {
+  return {{"inverted", strain.inverted.size()},
+          {"min_det_F", strain.smallest_det()},
+          {"min_det_F_element", strain.worst_element()},
+          {"max_length_change", *std::max_element(strain.length_change.begin(), strain.length_change.end())}};
+}
+
+double least(const std::vector<double>& values) {
+  return *std::min_element(values.begin(), values.end());
+}
+
+Json mesh_json(const Body& body) {
+  return {{"name", body.name},
+          {"element", mesh::shape_name(body.shape)},
+          {"nodes", body.nodes.rows()},
+          {"elements", body.elements.element_count()},
+          {body.dim == 2 ? "area" : "volume", body.volume()},
+          {"diagonal", body.diagonal()},
+          {"fingerprint", body.fingerprint()}};
+}
+
+Json handles_json(const Rig& rig) {
+  Json json = Json::array();
+  for (const Handle& handle : rig.handles())
+    json.push_back(
+        {{"name", handle.name}, {"nodes", handle.nodes.size()}, {"kind", handle.soft ? "soft" : "hard"}});
+  return json;
+}
+
+bool is_solved(const Json& frame) {
+  return frame["frame"].get<int>() > 0;
+}
+
+int count(const Json& frames, const char* status) {
+  return count_frames(frames, [&](const Json& f) { return is_solved(f) && f["status"] == status; });
+}
+
+int uncertified(const Result& r) {
+  return count_frames(r.frames, [](const Json& f) { return is_solved(f) && !f["certified"].get<bool>(); });
+}
+
+int inverted(const Result& r) {
+  return count_frames(r.frames, [](const Json& f) { return f.value("inverted", 0) > 0; });
+}
+
+int failed(const Result& r) {
+  return count(r.frames, "failed") + count(r.frames, "inadmissible");
+}
+
+// The first frame of which that is true, in words.
+template <class Which, class Words>
+void name_first(const Result& r, std::vector<std::string>& parts, const Which& which, const Words& words) {
+  const Json::const_iterator found = std::find_if(r.frames.begin(), r.frames.end(), which);
+  if (found != r.frames.end())
+    parts.push_back(formatted("frame %d ", (*found)["frame"].get<int>()) + words(*found));
+}
+
+}  // namespace
+
+Shape shape_of(const Result& result, const Strain& strain, const std::vector<double>& rotations,
+               const Vector& positions) {
+  Shape shape{strain.at(positions), least_eigenvalues(result.body, rotations, positions)};
+  shape.indefinite =
+      static_cast<int>(std::count_if(shape.eigenvalues.begin(), shape.eigenvalues.end(),
+                                     [&](double value) { return value < result.scene.margin; }));
+  return shape;
+}
+
+void add_frame(Result& result, const FrameResult& frame, const Shape& before, const Shape& after,
+               const std::string& file) {
+  Json json{{"frame", frame.frame}, {"time", frame.time}};
+  if (frame.made()) json["file"] = file;
+  json.update(solve_json(result.body, frame.summary));
+  if (!frame.rounds.empty()) json["rounds"] = rounds_json(frame.rounds);
+  json["seconds"] = frame.seconds;
+  if (frame.made()) {
+    json["inverted_before"] = before.strain.inverted.size();
+    json["not_psd_before"] = before.indefinite;
+    json.update(strain_json(after.strain));
+    json["not_psd"] = after.indefinite;
+    json["min_eigenvalue"] = least(after.eigenvalues);
+  } else {
+    json["status"] = "failed";
+    json["message"] = frame.trouble;
+  }
+  result.frames.push_back(std::move(json));
+  if (result.trace.empty())
+    result.trace =
+        "frame,iteration,seconds,energy,lower_bound,gap,min_eigenvalue,complementarity,penalty_factor,step,"
+        "inverted,infeasible\n";
+  result.trace += trace_rows(frame.frame, frame.summary);
+}
+
+void add_rest_frame(Result& result, const StrainField& strain, const std::string& file) {
+  Json json{{"frame", 0}, {"time", result.scene.script.start}, {"file", file}, {"status", "rest"}};
+  json.update(strain_json(strain));
+  result.frames.push_back(std::move(json));
+}
+
+ExitCode exit_code(const Result& r) {
+  if (inverted(r) > 0 || failed(r) > 0) return ExitCode::solver_failed;
+  return r.outcome == Outcome::finished && uncertified(r) == 0 ? ExitCode::success : ExitCode::not_converged;
+}
+
+std::string verdict(const Result& r) {
+  std::vector<std::string> parts;
+  if (r.outcome == Outcome::stopped) parts.push_back(r.message);
+  name_first(
+      r, parts,
+      [](const Json& f) { return is_solved(f) && !f["certified"].get<bool>() && f["status"] != "callback"; },
+      [&](const Json& f) {
+        std::string text = f["status"].get<std::string>() + ": " + f["message"].get<std::string>();
+        if (!f["suspects"].empty()) text += "; look at " + f["suspects"][0].get<std::string>();
+        return "is not certified (" + text + ")";
+      });
+  name_first(
+      r, parts, [](const Json& f) { return f.value("inverted", 0) > 0; },
+      [&](const Json& f) {
+        return formatted("has %d inverted element(s), the worst is ", f["inverted"].get<int>()) +
+               r.body.element_text(f["min_det_F_element"].get<int>());
+      });
+  if (parts.empty()) return "all frames are certified, no element is inverted";
+  std::string text;
+  for (const std::string& part : parts) text.append(text.empty() ? "" : "; ").append(part);
+  return text;
+}
+
+namespace {
+
+Json weights_json(const ElementRotations& rotations, double seconds) {
+  if (!rotations.weights()) return nullptr;
+  Json handles = Json::array();
+  for (const handles::WeightReport& report : rotations.weights()->reports)
+    handles.push_back({{"iterations", report.iterations},
+                       {"factorizations", report.factorizations},
+                       {"kkt_residual", report.kkt_residual}});
+  return {{"from_cache", rotations.from_cache()}, {"seconds", seconds}, {"handles", handles}};
+}
+
+Json totals_json(const Result& r) {
+  return {{"iterations", static_cast<long>(sum_over(r.frames, "iterations"))},
+          {"linear_solves", static_cast<long>(sum_over(r.frames, "linear_solves"))},
+          {"seconds", sum_over(r.frames, "seconds")},
+          {"frames_made",
+           count_frames(r.frames, [](const Json& f) { return is_solved(f) && f.contains("file"); })},
+          {"frames_wanted", r.wanted},
+          {"frames_certified",
+           count_frames(r.frames, [](const Json& f) { return is_solved(f) && f["certified"].get<bool>(); })},
+          {"frames_with_inverted", inverted(r)},
+          {"inverted_before", static_cast<long>(sum_over(r.frames, "inverted_before"))}};
+}
+
+}  // namespace
+
+Json summary_json(const Result& r, const PhaseSeconds& seconds) {
+  return {{"outcome", r.outcome == Outcome::finished ? "finished" : "stopped"},
+          {"certified", r.outcome == Outcome::finished && uncertified(r) == 0},
+          {"message", verdict(r)},
+          {"totals", totals_json(r)},
+          {"seconds",
+           {{"total", seconds.total},
+            {"read", seconds.read},
+            {"weights", seconds.weights},
+            {"solve", seconds.solve},
+            {"write", seconds.write}}},
+          {"mesh", mesh_json(r.body)},
+          {"handles", handles_json(r.rig)},
+          {"handle_weights", weights_json(r.rotations, seconds.weights)},
+          {"blend", r.rotations.weights() ? Json(name_of(blend_names, r.scene.blend)) : Json()},
+          {"method", sdp_penalty::method_name(r.scene.solver.method)},
+          {"warnings", r.warnings},
+          {"frames", r.frames},
+          {"scene", r.scene.json},
+          {"threads", thread_count()},
+          {"instruction_set", isa_name(active_isa())},
+          {"version", version_string}};
+}
+
+}  // namespace isostretch::app::manipulate

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "common/body.hpp"
+#include "scene.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isostretch::app::manipulate {
+
+// The keys of a scene, docs/apps/isostretch-manipulate.md explains them.
+std::vector<std::string> scene_keys();
+
+// The picture and the body first, for what the rest means depends on the dimension of the body. Files are
+// looked for in `folder`; cells of a generated body are multiplied by `refine`. All throw Error naming the
+// key by its path.
+std::optional<PhotoSpec> read_photo_spec(const Json& json, const std::filesystem::path& folder);
+BodySpec read_body_spec(const Json& json, const std::filesystem::path& folder, int refine);
+Scene read_scene(const Json& json, int dim);
+
+// Throws Error unless its elements are linear triangles or tets.
+void require_linear(const Body& body);
+
+}  // namespace isostretch::app::manipulate
