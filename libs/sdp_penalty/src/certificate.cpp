@@ -45,8 +45,9 @@ double Unconstrained::lower_bound(const Vector& x, double energy, const Constrai
   const Blocks &S = at_x.orientation, &Y = multipliers.orientation;
   const double margin = system_->problem().margin;
   const std::size_t entries = system_->block_size(), diagonal = static_cast<std::size_t>(system_->dim() + 1);
-  for (std::size_t k = 0; k < S.size(); ++k)
-    inner += Y[k] * (S[k] - (k % entries % diagonal == 0 ? margin : 0.0));
+  for (std::size_t k = 0; k < S.size(); ++k) inner += Y[k] * S[k];
+  for (std::size_t first = 0; first < S.size(); first += entries)
+    for (std::size_t k = 0; k < entries; k += diagonal) inner -= Y[first + k] * margin;
   for (std::size_t k = 0; k < multipliers.stretch.size(); ++k)
     inner += multipliers.stretch[k] * at_x.stretch[k];
   Vector r;

@@ -34,12 +34,14 @@ Blocks congruence(std::size_t size, const Blocks& T, const Blocks& A, bool trans
 // Largest t <= limit with diag(l) + t D_i positive semi-definite for all blocks D_i.
 double largest_step(std::size_t d, const std::vector<double>& l, const Blocks& D, double limit) {
   Blocks relative(D.size());
+  std::vector<double> root(l.size());
+  for (std::size_t k = 0; k < l.size(); ++k) root[k] = 1 / std::sqrt(l[k]);
   const std::size_t count = D.size() / (d * d);
 #pragma omp parallel for schedule(static) if (count > least_parallel)
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t r = 0; r < d; ++r)
       for (std::size_t c = 0; c < d; ++c)
-        relative[(i * d + r) * d + c] = D[(i * d + r) * d + c] / std::sqrt(l[i * d + r] * l[i * d + c]);
+        relative[(i * d + r) * d + c] = D[(i * d + r) * d + c] * root[i * d + r] * root[i * d + c];
   std::vector<double> lambda;
   block_eigen(static_cast<int>(d), relative, lambda, nullptr);
   const double smallest = *std::min_element(lambda.begin(), lambda.end());
@@ -136,17 +138,16 @@ void Cone::restore_direction() {
   change_Z_.swap(kept_change_Z_);
 }
 
-// M - floor I - Z.
-Blocks Cone::residual() const {
-  Blocks result(Z_.size());
-  const std::size_t entries = size_ * size_;
-  for (std::size_t k = 0; k < result.size(); ++k)
-    result[k] = M_[k] - Z_[k] - (k % entries % (size_ + 1) == 0 ? floor_ : 0.0);
-  return result;
+bool Cone::scale() {
+  residual_.resize(Z_.size());
+  for (std::size_t k = 0; k < Z_.size(); ++k) residual_[k] = M_[k] - Z_[k];
+  for (std::size_t i = 0; i < Z_.size() / (size_ * size_); ++i)
+    for (std::size_t k = 0; k < size_; ++k) residual_[at(i, k, k)] -= floor_;
+  return scaling_.compute(static_cast<int>(size_), Z_, Y_);
 }
 
 Blocks Cone::pull() const {
-  Blocks scaled = congruence(size_, scaling_.inverse, residual(), false);
+  Blocks scaled = congruence(size_, scaling_.inverse, residual_, false);
   for (std::size_t k = 0; k < scaled.size(); ++k) scaled[k] = target_[k] - scaled[k];
   Blocks result = congruence(size_, scaling_.inverse, scaled, true);
   for (std::size_t k = 0; k < result.size(); ++k) result[k] += Y_[k];
@@ -154,7 +155,7 @@ Blocks Cone::pull() const {
 }
 
 void Cone::set_direction(const Blocks& change_of_M) {
-  change_Z_ = residual();
+  change_Z_ = residual_;
   for (std::size_t k = 0; k < change_Z_.size(); ++k) change_Z_[k] += change_of_M[k];
   dZ_ = congruence(size_, scaling_.inverse, change_Z_, false);
   dY_.resize(dZ_.size());

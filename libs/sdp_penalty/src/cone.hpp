@@ -18,7 +18,7 @@ class Cone {
   void update(Blocks M) { M_ = std::move(M); }
 
   // False where rounding has taken Z or Y to the boundary.
-  bool scale() { return scaling_.compute(static_cast<int>(size_), Z_, Y_); }
+  bool scale();
   // W with W Z W = Y: the Newton matrix has the form sum tr(W dM W dM).
   const Blocks& weight() const { return scaling_.weight; }
 
@@ -48,13 +48,12 @@ class Cone {
   std::size_t at(std::size_t block, std::size_t r, std::size_t c) const {
     return (block * size_ + r) * size_ + c;
   }
-  Blocks residual() const;
   Blocks products_at(double step) const;
 
   std::size_t size_;
   double floor_ = 0;
   Scaling scaling_;
-  Blocks M_, Z_, Y_, target_, dZ_, dY_, change_Z_;
+  Blocks M_, Z_, Y_, residual_ /* M - floor I - Z */, target_, dZ_, dY_, change_Z_;
   Blocks kept_dZ_, kept_dY_, kept_change_Z_;
 };
 
