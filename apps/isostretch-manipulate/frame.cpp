@@ -8,6 +8,7 @@
 #include <isostretch/handles/elements.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -70,9 +71,9 @@ FrameResult FrameSolver::solve(int frame) {
   {
     const ScopedTimer timer(result.seconds);
     try {
-      result.rotations = rotations_.at(result.time);
+      result.given = rotations_.at(result.time);
       place_targets(result.time);
-      problem_.rotations = result.rotations;
+      problem_.rotations = result.rotations = result.given;
       run(result);
     } catch (const Error& error) {
       result.trouble = error.what();
@@ -91,7 +92,8 @@ void FrameSolver::run(FrameResult& result) {
         return halt().empty() ? sdp_penalty::CallbackAction::proceed : sdp_penalty::CallbackAction::stop;
       });
   if (result.summary.status == sdp_penalty::Status::callback) result.summary.message = halt();
-  if (!result.positions.allFinite() || result.positions.size() != rest_.size())
+  if (!std::isfinite(result.summary.energy) || !result.positions.allFinite() ||
+      result.positions.size() != rest_.size())
     result.trouble = result.summary.message;
   else if (result.before.size() == 0)
     result.before = result.positions;
@@ -116,8 +118,11 @@ void FrameSolver::relinearize(FrameResult& result) {
         return halt().empty() ? sdp_penalty::CallbackAction::proceed : sdp_penalty::CallbackAction::stop;
       });
   rounds.last.linear_solves = result.summary.linear_solves;
-  for (const sdp_penalty::RelinearizeRound& round : rounds.rounds)
+  rounds.last.iterations = result.summary.iterations;
+  for (const sdp_penalty::RelinearizeRound& round : rounds.rounds) {
     rounds.last.linear_solves += round.linear_solves;
+    rounds.last.iterations += round.iterations;
+  }
   rounds.last.trace = std::move(result.summary.trace);
   result.summary = std::move(rounds.last);
   if (rounds.stopped) {

@@ -17,7 +17,8 @@ struct FrameResult {
   double time = 0;
   sdp_penalty::Summary summary;
   std::string trouble = {};            // why there are no positions; empty where there are
-  std::vector<double> rotations = {};  // of the elements
+  std::vector<double> given = {};      // ex-rotations of the elements
+  std::vector<double> rotations = {};  // those of the last round where it was re-linearised, else the same
   Vector positions = {};
   Vector before = {};  // ex-rotated skinning
   Path path = {};

@@ -160,7 +160,7 @@ class Job {
       warn(formatted("frame %d: ", made.frame) + made.trouble);
       return;
     }
-    const Shape before = shape_of(result, strain_, made.rotations, made.before),
+    const Shape before = shape_of(result, strain_, made.given, made.before),
                 after = shape_of(result, strain_, made.rotations, made.positions);
     folder.write_now(file, format_frame(scene_.format, body_, made.positions,
                                         {{"min_eig_S", after.eigenvalues},

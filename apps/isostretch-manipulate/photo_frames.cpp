@@ -9,7 +9,7 @@
 namespace isostretch::app::manipulate {
 namespace {
 
-constexpr double largest_side = 16384;  // of the pictures
+constexpr double largest_side = 16384, most_pixels = 64e6;  // of the pictures
 
 }  // namespace
 
@@ -40,7 +40,8 @@ int PhotoFrames::write(OutputFolder& folder) const {
   // Whole pixels, so that what does not move is not sampled between pixels; and no pixel for rounding.
   low = (low.array() + 1e-6).floor();
   high = (high.array() - 1e-6).ceil();
-  const double shrink = std::max(1.0, std::ceil((high - low).maxCoeff() / largest_side));
+  const double shrink = std::max({1.0, std::ceil((high - low).maxCoeff() / largest_side),
+                                  std::ceil(std::sqrt((high - low).prod() / most_pixels))});
   const auto pixels = [&](double length) {
     return std::max(1, static_cast<int>(std::ceil(length / shrink)));
   };

@@ -262,6 +262,35 @@ TEST_CASE("manipulate: stretch is bounded where asked, and rounds of re-linearis
   CHECK(run.err.find("settled") != std::string::npos);
 }
 
+TEST_CASE(
+    "manipulate: what is said of skinning does not depend on rounds, and trouble in rounds loses nothing") {
+  const Scratch scratch;
+  const auto plain = solved(scratch, swirl(150));
+  const auto rounds = solved(scratch, swirl(150), {"--relinearize", "200"}, "rounds");
+  CHECK(rounds["frames"][1]["not_psd_before"] == plain["frames"][1]["not_psd_before"]);
+  CHECK(rounds["frames"][1]["not_psd"] == 0);
+  CHECK(rounds["frames"][1]["iterations"].get<int>() > plain["frames"][1]["iterations"].get<int>());
+  // Hard handles that cannot be had, with bounded stretch: the soft answer is written.
+  Json scene = squashed_bar();
+  for (auto& handle : scene["handles"]) handle["hard"] = true;
+  scene["largest_stretch"] = 1.5;
+  scene["relinearize"] = 2;
+  const Outcome run = manipulate({write_scene(scratch, scene), "-o", scratch.path("hard"), "--no-picture"});
+  CHECK(run.code == 6);
+  CHECK(std::filesystem::exists(scratch.path("hard/frame_0001.vtu")));
+  CHECK(read_json(scratch.path("hard/summary.json"))["frames"][1]["rounds"].size() == 2);
+}
+
+TEST_CASE("manipulate: energies that overflow end with code 6 and a summary, pictures or not") {
+  const Scratch scratch;
+  Json scene = swirl(30);
+  scene["handles"][1]["translate"] = {0, -1e200};
+  const Outcome run = manipulate({write_scene(scratch, scene), "-o", scratch.path("out")});
+  CHECK(run.code == 6);
+  CHECK(run.err.find("not finite") != std::string::npos);
+  CHECK(std::filesystem::exists(scratch.path("out/summary.json")));
+}
+
 TEST_CASE("manipulate: all penalties of the published method meet at one energy") {
   const Scratch scratch;
   std::vector<double> energies;

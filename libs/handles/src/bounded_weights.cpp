@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <string>
 
 namespace isostretch::handles {
@@ -126,17 +127,26 @@ HandleWeights bounded_biharmonic_weights(const assembly::Elements& elements,
     if (owner[n] != none) start[at(owner[n]) * nodes + n] = 1;
   free_system.solve(unknown, start, result.handles);  // without bounds one system for all
 
+  // Handles do not know of each other: a thread each. Exceptions must not leave the loop.
+  std::vector<std::exception_ptr> errors(count);
+#pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t h = 0; h < count; ++h) {
-    const std::vector<bool> shared = shared_by(static_cast<int>(h), component, reached, owner);
-    std::vector<bool> wanted(nodes, false);
-    for (std::size_t n = 0; n < nodes; ++n) wanted[n] = unknown[n] && shared[at(component[n])];
-    const auto first = start.begin() + static_cast<std::ptrdiff_t>(h * nodes);
-    std::vector<double> w(first, first + static_cast<std::ptrdiff_t>(nodes));
-    result.reports[h] =
-        minimize_bounded(system, wanted, handles[h], options, handle_name(static_cast<int>(h)), w);
-    for (std::size_t n = 0; n < nodes; ++n)
-      if (wanted[n]) result.values[n * count + h] = w[n];
+    try {
+      const int handle = static_cast<int>(h);
+      const std::vector<bool> shared = shared_by(handle, component, reached, owner);
+      std::vector<bool> wanted(nodes, false);
+      for (std::size_t n = 0; n < nodes; ++n) wanted[n] = unknown[n] && shared[at(component[n])];
+      const auto first = start.begin() + static_cast<std::ptrdiff_t>(h * nodes);
+      std::vector<double> w(first, first + static_cast<std::ptrdiff_t>(nodes));
+      result.reports[h] = minimize_bounded(system, wanted, handles[h], options, handle_name(handle), w);
+      for (std::size_t n = 0; n < nodes; ++n)
+        if (wanted[n]) result.values[n * count + h] = w[n];
+    } catch (...) {
+      errors[h] = std::current_exception();
+    }
   }
+  for (const std::exception_ptr& error : errors)
+    if (error) std::rethrow_exception(error);
   normalize_rows(result);
   return result;
 }

@@ -24,7 +24,7 @@ struct Variant {
   Options options;
 };
 
-// With the multiplier mu of the penalty factor, and from which factor on.
+// With the multiplier mu of the penalty factor, and from which factor on; 0: the defaults.
 Variant penalty(Penalty kind, double factor, double first) {
   Variant variant{std::string(sdp_penalty::penalty_name(kind)) + " penalty", {}};
   variant.options.method = Method::penalty;
@@ -46,7 +46,7 @@ Variant published(double factor) {
 std::vector<Variant> all_variants() {
   std::vector<Variant> variants{{"interior point", {}}, {"augmented Lagrangian", {}}};
   variants[1].options.method = Method::augmented_lagrangian;
-  for (const Penalty kind : sdp_penalty::all_penalties()) variants.push_back(penalty(kind, 10, 0));
+  for (const Penalty kind : sdp_penalty::all_penalties()) variants.push_back(penalty(kind, 0, 0));
   variants.push_back(published(10));
   return variants;
 }

@@ -8,7 +8,7 @@ namespace isostretch::sdp_penalty {
 
 void augmented_lagrangian(Workspace& work, const Options& options, Progress& progress, Vector& x) {
   const AugmentedLagrangianOptions& own = options.augmented_lagrangian;
-  constexpr int most_rounds = 1000;  // max_iterations comes first: a round takes a factorization at least
+  constexpr int most_rounds = 1000;  // where rounds no longer move anything
   const bool warm = own.warm_start && work.last_Y.size() > 0;
   Blocks Y(work.system.blocks() * work.system.block_size(), 0.0), shift(Y.size());
   SpectralPenalty penalty;

@@ -2,6 +2,9 @@
 
 #include <isostretch/core/error.hpp>
 
+#include <cmath>
+#include <limits>
+
 namespace isostretch::sdp_penalty {
 
 Unconstrained::Unconstrained(const sparse::Options& options) : solver_(sparse::make_solver(options)) {}
@@ -41,19 +44,24 @@ Vector Unconstrained::minimiser() const {
 
 double Unconstrained::lower_bound(const Vector& x, double energy, const Constrained& at_x,
                                   const Constrained& multipliers) const {
-  double inner = 0;
+  double inner = 0, size = std::abs(energy);  // of the terms, whose rounding the bound must survive
   const Blocks &S = at_x.orientation, &Y = multipliers.orientation;
   const double margin = system_->problem().margin;
   const std::size_t entries = system_->block_size(), diagonal = static_cast<std::size_t>(system_->dim() + 1);
-  for (std::size_t k = 0; k < S.size(); ++k) inner += Y[k] * S[k];
+  const auto add = [&](double term) {
+    inner += term;
+    size += std::abs(term);
+  };
+  for (std::size_t k = 0; k < S.size(); ++k) add(Y[k] * S[k]);
   for (std::size_t first = 0; first < S.size(); first += entries)
     for (std::size_t k = 0; k < entries; k += diagonal) inner -= Y[first + k] * margin;
-  for (std::size_t k = 0; k < multipliers.stretch.size(); ++k)
-    inner += multipliers.stretch[k] * at_x.stretch[k];
+  for (std::size_t k = 0; k < multipliers.stretch.size(); ++k) add(multipliers.stretch[k] * at_x.stretch[k]);
   Vector r;
   system_->gradient(x, r);
   subtract_adjoint(*system_, multipliers, r);
-  return energy - inner - 0.5 * r.dot(solved(r));
+  const double bound =
+      energy - inner - 0.5 * r.dot(solved(r)) - std::numeric_limits<double>::epsilon() * size;
+  return std::isfinite(bound) ? bound : -std::numeric_limits<double>::infinity();
 }
 
 }  // namespace isostretch::sdp_penalty

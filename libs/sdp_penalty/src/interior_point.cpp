@@ -2,6 +2,7 @@
 #include "methods.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -20,14 +21,13 @@ class InteriorPoint {
     const double least = options_.interior_point.least_eigenvalue;
     // Multipliers have the size of the weights.
     const std::vector<double>& weights = system_.problem().weights;
-    const double complementarity =
-        std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
+    weight_ = std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
     const Constrained at_start = system_.constrained(x_);
     cones_.emplace_back(system_.dim());
-    cones_[0].start(at_start.orientation, system_.problem().margin + room, least, complementarity);
+    cones_[0].start(at_start.orientation, system_.problem().margin + room, least, weight_);
     if (system_.problem().bounds_stretch()) {
       cones_.emplace_back(2 * system_.dim());
-      cones_[1].start(at_start.stretch, room, least, complementarity);
+      cones_[1].start(at_start.stretch, room, least, weight_);
     }
   }
 
@@ -39,6 +39,7 @@ class InteriorPoint {
   void iterate() {
     if (progress_.iterations() >= options_.max_iterations)
       return give_up(Status::iterations, "max_iterations reached");
+    if (multipliers_exploded() && progress_.give_up_contradicted(x_, multipliers(&Cone::multipliers))) return;
     for (Cone& cone : cones_)
       if (!cone.scale())
         return give_up(Status::failed, "rounding has taken slacks or multipliers to the boundary");
@@ -73,6 +74,14 @@ class InteriorPoint {
       step = longer;
     }
     return step;
+  }
+
+  // Beyond what any problem that has strictly feasible positions was seen to need.
+  bool multipliers_exploded() const {
+    constexpr double much = 1e7;
+    const Blocks& Y = cones_[0].multipliers();
+    return std::any_of(Y.begin(), Y.end(),
+                       [&](double entry) { return !(std::abs(entry) <= much * weight_); });
   }
 
   bool factorize() {
@@ -141,6 +150,7 @@ class InteriorPoint {
   Vector& x_;
   std::vector<Cone> cones_;  // orientation, and stretch where it is bounded
   Vector dx_;
+  double weight_ = 1;  // mean of the elements'
 };
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "methods.hpp"
 #include "path.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <string>
 
 namespace isostretch::sdp_penalty {
@@ -34,13 +37,15 @@ void penalty_path(Workspace& work, const Options& options, Progress& progress, V
   penalty.kind = path_options.penalty;
   double epsilon = path_options.epsilon;
   penalty.offset = work.system.problem().margin + epsilon;
-  const double last = last_factor(path_options) * (1 + 1e-9);  // powers of mu are rounded
+  const double last = last_factor(path_options);
   int unfinished = 0;
-  for (penalty.tau = first_factor(path_options); penalty.tau <= last; penalty.tau *= growth(path_options)) {
+  for (penalty.tau = std::min(first_factor(path_options), last);;
+       penalty.tau = std::min(penalty.tau * growth(path_options), last)) {
     const Path::End end = path_options.as_published ? path.minimise_as_published(penalty)
                                                     : path.minimise(penalty, level_tolerance);
     if (end == Path::End::progress) return;
     if (end == Path::End::limit) ++unfinished;
+    if (penalty.tau >= last) break;
     if (path_options.lower_epsilon && !path_options.as_published && progress.feasible()) {
       epsilon *= 0.25 * options.gap_tolerance / progress.gap();
       penalty.offset = work.system.problem().margin + epsilon;
@@ -48,7 +53,9 @@ void penalty_path(Workspace& work, const Options& options, Progress& progress, V
   }
   if (progress.certified())
     return progress.end(Status::optimal, "feasible, and the certified gap is within gap_tolerance");
-  std::string reason = "the path ends at the penalty factor " + std::to_string(last);
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "the path ends at the penalty factor %g", last);
+  std::string reason = text.data();
   if (unfinished > 0) reason += ", " + std::to_string(unfinished) + " levels not converged";
   progress.give_up(Status::path_end, reason, x, {path.multiplier(), {}});
 }

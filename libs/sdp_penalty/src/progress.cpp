@@ -5,7 +5,9 @@
 #include <isostretch/core/error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -80,7 +82,13 @@ void Progress::record(Iteration row, const Vector& x, const Constrained& at_x,
   const System& system = work_.system;
   row.iteration = summary_.iterations;
   row.energy = summary_.energy = energy(system.problem(), x);
-  if (!std::isfinite(row.energy)) return end(Status::failed, "the energy is not finite");
+  if (!std::isfinite(row.energy)) {
+    row.min_eigenvalue = std::numeric_limits<double>::quiet_NaN();
+    row.lower_bound = -std::numeric_limits<double>::infinity();
+    row.inverted = row.infeasible = static_cast<int>(system.blocks());
+    summary_.trace.push_back(row);
+    return end(Status::failed, "the energy is not finite");
+  }
   count_infeasible(row, at_x);
   row.lower_bound = work_.unconstrained.lower_bound(x, row.energy, at_x, multipliers);
   summary_.lower_bound = std::fmax(summary_.lower_bound, row.lower_bound);
@@ -96,7 +104,10 @@ void Progress::record(Iteration row, const Vector& x, const Constrained& at_x,
 }
 
 bool Progress::certified() const {
-  return feasible() && gap() <= options_.gap_tolerance;
+  // A bound above the energy of a feasible x is one of rounding, and proves nothing.
+  const double reached = last().energy;
+  return feasible() && summary_.lower_bound <= reached + 1e-9 * std::abs(reached) &&
+         gap() <= options_.gap_tolerance;
 }
 
 double Progress::gap() const {
@@ -127,15 +138,20 @@ void Progress::name_suspects(const Constrained& multipliers) {
   std::partial_sort(order.begin(), order.begin() + most, order.end(),
                     [&](int a, int b) { return trace(a) > trace(b); });
   summary_.suspects.assign(order.begin(), order.begin() + most);
-  summary_.message += "; largest multiplier, at element " + std::to_string(order[0]) + ": trace " +
-                      std::to_string(trace(order[0]));
+  std::array<char, 100> text{};
+  std::snprintf(text.data(), text.size(), "; largest multiplier, at element %d: trace %.3g", order[0],
+                trace(order[0]));
+  summary_.message += text.data();
 }
 
 // With all S_i >= e I and |x - middle| <= X:  e tr Y <= <Y, A x> = A^T Y . (x - middle) <= |A^T Y|_1 X, for
 // translations change no S. Hard targets are at known places: they add A^T Y . (x_hard - middle) instead.
-bool Progress::contradiction(const Vector& x, const Blocks& Y) {
+bool Progress::contradiction(const Vector& x, Blocks Y) {
   const Problem& problem = work_.system.problem();
-  double trace = 0;
+  double trace = 0, largest = 0;
+  for (const double entry : Y) largest = std::max(largest, std::abs(entry));
+  if (!(largest > 0) || !std::isfinite(largest)) return false;
+  for (double& entry : Y) entry /= largest;
   const std::size_t entries = work_.system.block_size(),
                     diagonal = static_cast<std::size_t>(problem.dim() + 1);
   for (std::size_t k = 0; k < Y.size(); ++k)
@@ -164,12 +180,22 @@ bool Progress::contradiction(const Vector& x, const Blocks& Y) {
 void Progress::give_up(Status status, const std::string& reason, const Vector& x,
                        const Constrained& multipliers) {
   end(status, reason);
+  if (feasible()) {  // only the gap is open
+    end(status == Status::failed ? Status::path_end : status, reason);
+    return name_suspects(multipliers);
+  }
   // Where stretch is bounded the multipliers of the orientations alone prove as much as ever.
   if (contradiction(x, multipliers.orientation))
     end(Status::inadmissible,
         "no position to speak of is strictly feasible: ex-rotations or hard targets contradict each other (" +
             reason + ")");
   name_suspects(multipliers);
+}
+
+bool Progress::give_up_contradicted(const Vector& x, const Constrained& multipliers) {
+  if (feasible() || !contradiction(x, multipliers.orientation)) return false;
+  give_up(Status::failed, "multipliers grow without bound", x, multipliers);
+  return true;
 }
 
 Summary Progress::finish(const Vector& x) {

@@ -45,6 +45,9 @@ class Progress {
   // Names suspects by their multipliers, and calls it inadmissible where these prove it.
   void give_up(Status status, const std::string& reason, const Vector& x, const Constrained& multipliers);
 
+  // The same as inadmissible when the multipliers prove it already; true when it did.
+  bool give_up_contradicted(const Vector& x, const Constrained& multipliers);
+
   void count_solve() { ++summary_.linear_solves; }
   void count_iteration() { ++summary_.iterations; }
   int iterations() const { return summary_.iterations; }
@@ -56,7 +59,7 @@ class Progress {
 
  private:
   void name_suspects(const Constrained& multipliers);
-  bool contradiction(const Vector& x, const Blocks& Y);
+  bool contradiction(const Vector& x, Blocks Y);
   void count_infeasible(Iteration& row, const Constrained& at_x) const;
 
   Workspace& work_;

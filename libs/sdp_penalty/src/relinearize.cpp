@@ -50,12 +50,14 @@ void RelinearizeOptions::validate() const {
 Summary soft_answer(const Problem& problem, Vector& x, double soft_penalty, const Options& options) {
   Options soft = options;
   soft.method = Method::penalty;
-  soft.max_iterations = 0;
   soft.penalty = PenaltyOptions();
   soft.penalty.epsilon = 0;
   soft.penalty.first = std::min(1.0, soft_penalty);
   soft.penalty.last = soft_penalty;
-  return solve(problem, x, soft);
+  if (!problem.bounds_stretch()) return solve(problem, x, soft);
+  Problem without_bound = problem;
+  without_bound.largest_stretch = std::numeric_limits<double>::infinity();
+  return solve(without_bound, x, soft);
 }
 
 RelinearizeSummary solve_relinearized(const Problem& problem, Vector& x, const RelinearizeOptions& options,
@@ -72,16 +74,24 @@ RelinearizeSummary solve_relinearized(const Problem& problem, Vector& x, const R
     round.linear_solves = result.last.linear_solves;
     round.status = result.last.status;
     if (!result.last.feasible()) {
-      const Summary soft = soft_answer(round_problem, x, options.soft_penalty, options.solve);
+      Summary soft = soft_answer(round_problem, x, options.soft_penalty, options.solve);
       round.soft = true;
       round.linear_solves += soft.linear_solves;
-      round.min_eigenvalue = soft.min_eigenvalue;
-      round.inverted = soft.inverted;
-    } else {
-      round.min_eigenvalue = result.last.min_eigenvalue;
-      round.inverted = result.last.inverted;
+      // The numbers are those of x; what the convex problem's solve has proved stays.
+      soft.status = result.last.status;
+      soft.message = result.last.message;
+      soft.suspects = std::move(result.last.suspects);
+      soft.lower_bound = result.last.lower_bound;
+      soft.unreachable_eigenvalue = result.last.unreachable_eigenvalue;
+      soft.extent = result.last.extent;
+      soft.iterations += result.last.iterations;
+      soft.linear_solves = round.linear_solves;
+      result.last = std::move(soft);
     }
-    round_problem.rotations = nearest_rotations(problem.elements, x);
+    round.min_eigenvalue = result.last.min_eigenvalue;
+    round.inverted = result.last.inverted;
+    round.iterations = result.last.iterations;
+    result.rotations = std::exchange(round_problem.rotations, nearest_rotations(problem.elements, x));
     round.energy = energy(round_problem, x);
     round.seconds = timer.seconds();
     result.rounds.push_back(round);
@@ -89,7 +99,6 @@ RelinearizeSummary solve_relinearized(const Problem& problem, Vector& x, const R
     before = round.soft ? std::numeric_limits<double>::infinity() : round.energy;
     result.stopped = callback && callback(round, x) == CallbackAction::stop;
   }
-  result.rotations = std::move(round_problem.rotations);
   return result;
 }
 

@@ -105,6 +105,20 @@ TEST_CASE("re-linearised with bounds: distortion stays bounded while the rotatio
   CHECK(after.largest <= 3 + 1e-9);
 }
 
+TEST_CASE("re-linearised with bounds that cannot be had: soft answers, no exception") {
+  Problem problem = tests::bar_pushed_through();
+  for (auto& target : problem.targets) target.hard = true;
+  problem.largest_stretch = 1.5;
+  sdp_penalty::RelinearizeOptions options;
+  options.max_rounds = 2;
+  Vector x;
+  const auto summary = sdp_penalty::solve_relinearized(problem, x, options);
+  CHECK(summary.rounds.size() == 2);
+  CHECK(summary.rounds.front().soft);
+  CHECK(summary.last.status != Status::optimal);
+  CHECK(summary.last.energy < std::numeric_limits<double>::infinity());
+}
+
 TEST_CASE("the adjoint and the form of what bounds stretch") {
   for (Problem problem : {tests::swirl(4, 170), tests::bar_pushed_through()}) {
     problem.largest_stretch = 2;

@@ -59,17 +59,21 @@ struct Reference {
   sdp_penalty::Problem problem;  // margin 0
 };
 
-// By name; empty when the files are not there.
+// By name: three that are in the repository, and the others where the data lies beside the sources.
 inline std::vector<Reference> references() {
   std::vector<Reference> result;
-  const std::filesystem::path folder = std::string(ISOSTRETCH_SOURCE_DIR) + "/../shared/sdp";
-  if (!std::filesystem::exists(folder)) return result;
-  for (const auto& file : std::filesystem::directory_iterator(folder)) {
-    if (file.path().extension() != ".json") continue;
-    nlohmann::json json = nlohmann::json::parse(std::ifstream(file.path()));
-    sdp_penalty::Problem problem = problem_of(json);
-    std::string name = json["name"];
-    result.push_back({std::move(name), std::move(json), std::move(problem)});
+  const std::string root = ISOSTRETCH_SOURCE_DIR;
+  for (const std::filesystem::path folder : {root + "/tests/golden/sdp", root + "/../shared/sdp"}) {
+    if (!std::filesystem::exists(folder)) continue;
+    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+      if (file.path().extension() != ".json") continue;
+      nlohmann::json json = nlohmann::json::parse(std::ifstream(file.path()));
+      std::string name = json["name"];
+      if (std::any_of(result.begin(), result.end(), [&](const Reference& r) { return r.name == name; }))
+        continue;
+      sdp_penalty::Problem problem = problem_of(json);
+      result.push_back({std::move(name), std::move(json), std::move(problem)});
+    }
   }
   std::sort(result.begin(), result.end(),
             [](const Reference& a, const Reference& b) { return a.name < b.name; });

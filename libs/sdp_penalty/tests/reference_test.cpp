@@ -24,7 +24,9 @@ void report(const std::string& name, const Summary& summary) {
 
 TEST_CASE("reference optima: interior point, both margins") {
   const auto references = tests::references();
-  if (references.empty()) MESSAGE("skipped without the reference instances");
+  CHECK(references.size() >= 3);
+  if (references.size() < 10)
+    MESSAGE("seven reference instances are skipped: they are not beside the sources");
   for (const auto& [name, json, reference] : references) {
     sdp_penalty::Problem problem = reference;
     for (const std::string kind : {"sdp", "sdp_eps"}) {

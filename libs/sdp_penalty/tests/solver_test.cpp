@@ -234,6 +234,82 @@ TEST_CASE("every method is the same to the bit for any number of threads") {
   omp_set_num_threads(before);
 }
 
+TEST_CASE("a body far from the origin is solved as well as one at the origin") {
+  const Problem here = tests::swirl(12, 150);
+  Vector x, y;
+  const auto near = sdp_penalty::solve(here, x);
+  for (const double distance : {1e6, 1e9}) {
+    Problem there = here;
+    for (auto& target : there.targets)
+      for (double& coordinate : target.position) coordinate += distance;
+    int calls = 0;
+    const auto far = sdp_penalty::solve(there, y, {}, [&](const auto&, const Vector& positions) {
+      ++calls;
+      CHECK(positions[0] > 0.9 * distance);
+      return sdp_penalty::CallbackAction::proceed;
+    });
+    CHECK(calls > 0);
+    CHECK(far.status == Status::optimal);
+    CHECK(far.energy == doctest::Approx(near.energy).epsilon(1e-5));
+    CHECK((y.array() - distance - x.array()).abs().maxCoeff() < 1e-4 + 1e-15 * distance);
+  }
+}
+
+TEST_CASE("a bound that rounding has poisoned certifies nothing") {
+  Problem problem = tests::swirl(10, 150);
+  for (const double alpha : {1e30, 1e60, 1e100}) {
+    CAPTURE(alpha);
+    problem.alpha = alpha;
+    Vector x;
+    const auto summary = sdp_penalty::solve(problem, x);
+    if (summary.status == Status::optimal) CHECK(summary.lower_bound <= summary.energy * (1 + 1e-9));
+  }
+}
+
+TEST_CASE("energies that overflow are a failure, and feasible is not claimed") {
+  Problem problem = tests::bar_at_rest();
+  problem.targets.back().position = {0, -1e200, 0};
+  for (const Method method : sdp_penalty::all_methods()) {
+    Vector x;
+    const auto summary = sdp_penalty::solve(problem, x, options_for(method));
+    CHECK(summary.status == Status::failed);
+    CHECK_FALSE(summary.feasible());
+    CHECK(summary.trace.size() == 1);
+  }
+}
+
+TEST_CASE("one triangle turned over by hard targets is inadmissible") {
+  Problem problem = tests::swirl(1, 0);
+  problem.targets = {{0, {0, 0}, true}, {1, {-1, 0}, true}, {2, {0, 1}, true}, {3, {-1, 1}, true}};
+  Vector x;
+  CHECK(sdp_penalty::solve(problem, x).status != Status::optimal);
+  problem = tests::bar_pushed_through();
+  for (auto& target : problem.targets) target.hard = true;
+  const auto summary = sdp_penalty::solve(problem, x);
+  CHECK(summary.status == Status::inadmissible);
+  CHECK(summary.iterations < 40);  // it does not wait for the last
+}
+
+TEST_CASE("a gap that rounding cannot close is no failure") {
+  Options options;
+  options.gap_tolerance = 1e-14;
+  Vector x;
+  const auto summary = sdp_penalty::solve(tests::swirl(16, 150), x, options);
+  CHECK(summary.status != Status::failed);
+  CHECK(summary.status != Status::inadmissible);
+  CHECK(summary.feasible());
+  CHECK(summary.gap < 1e-7);
+}
+
+TEST_CASE("the penalty path ends at the factor it was given") {
+  Options options = options_for(Method::penalty, 1e-15);
+  for (const double last : {1.0, 50.0, 1e4}) {
+    options.penalty.last = last;
+    Vector x;
+    CHECK(sdp_penalty::solve(tests::swirl(8, 150), x, options).trace.back().penalty_factor == last);
+  }
+}
+
 TEST_CASE("names and options") {
   for (const Method method : sdp_penalty::all_methods())
     CHECK(sdp_penalty::method_from_name(sdp_penalty::method_name(method)) == method);

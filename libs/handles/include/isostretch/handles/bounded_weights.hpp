@@ -61,6 +61,9 @@ struct HandleWeights {
 // once, fewer and fewer. When a set comes back, the energy is descended instead by projected Newton steps
 // (Bertsekas 1982), which cannot cycle.
 //
+// Handles are solved in parallel, each with factorizations of its own: BLAS threads (OPENBLAS_NUM_THREADS)
+// only get in the way.
+//
 // A component that one handle alone reaches belongs to it. handles[h] lists nodes, repetitions allowed.
 // Throws Error when elements or options are invalid, there is no handle, a handle has no node, a node is out
 // of range or belongs to two handles, a system cannot be solved, or max_iterations do not suffice.

@@ -19,8 +19,9 @@ struct Target {
 //
 //   sum_i w_i |F_i - R_i|^2 + kappa/2 sum_i (tr(R_i^T F_i) - dim)^2 + alpha sum_h |x_h - target_h|^2
 //
-// (h: soft targets) with S_i = sym(R_i^T F_i) >= margin I for every element (Eq. 1, 4 and 9): no element is
-// inverted then. The ex-rotations R_i are given, hence the problem is convex and its solution unique.
+// (h: soft targets) with S_i = sym(R_i^T F_i) >= margin I for every element (Eq. 1, 4 and 9), so that
+// det F_i >= 0, and > 0 with a margin. The ex-rotations R_i are given, hence the problem is convex and its
+// solution unique.
 struct Problem {
   assembly::Elements elements;    // linear: one quadrature point each; their weights are not used
   std::vector<double> rotations;  // [element][dim * dim] row by row, determinant 1

@@ -22,6 +22,7 @@ struct RelinearizeOptions {
 struct RelinearizeRound {
   Status status = Status::not_run;  // of the convex problem of this round
   bool soft = false;                // it was inadmissible: this is the soft answer
+  int iterations = 0;
   int linear_solves = 0;
   // With the nearest rotation of every F in the place of R: what falls from round to round, once feasible.
   double energy = 0;
@@ -33,9 +34,10 @@ struct RelinearizeRound {
 struct RelinearizeSummary {
   bool settled = false;  // by the tolerance
   bool stopped = false;  // by the callback
-  Summary last;          // of the last round's convex problem
+  Summary last;          // of the last round's convex problem; of its soft answer where it has no feasible x
   std::vector<RelinearizeRound> rounds;
-  std::vector<double> rotations;  // the nearest of the result's F, [element][dim * dim]
+  std::vector<double>
+      rotations;  // that the last round was given, [element][dim * dim]: `last` is about these
 };
 
 using RoundCallback = std::function<CallbackAction(const RelinearizeRound&, const Vector& x)>;
@@ -50,7 +52,7 @@ RelinearizeSummary solve_relinearized(const Problem& problem, Vector& x,
                                       const RoundCallback& callback = {});
 
 // The soft answer alone: minimises the energy plus soft_penalty times the squares of the eigenvalues of
-// S_i - margin I below 0.
+// S_i - margin I below 0. It does not know largest_stretch.
 Summary soft_answer(const Problem& problem, Vector& x, double soft_penalty, const Options& options = {});
 
 // Nearest rotations of F = sum x_a g_a^T, [element][dim * dim] row by row, determinant 1; the identity for a

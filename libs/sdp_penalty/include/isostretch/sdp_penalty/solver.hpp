@@ -33,7 +33,12 @@ class Solver {
   // the Lagrangian. Every method ends when x is feasible and the bound within gap_tolerance.
   Summary solve(const Problem& problem, Vector& x, const IterationCallback& callback = {});
 
+  // A body far from the origin is solved for at the origin: the Summary is that of x before it is moved back,
+  // which rounds.
+
  private:
+  Summary solve_here(const Problem& problem, Vector& x, const IterationCallback& callback);
+
   struct Kept;
   Options options_;
   std::unique_ptr<Kept> kept_;

@@ -12,10 +12,11 @@ enum class Status {
   optimal,       // feasible, and the certified gap is within the tolerance
   inadmissible,  // no x to speak of is strictly feasible: the ex-rotations (or hard targets) contradict each
                  // other
-  path_end,      // the penalty factor's last level is done: feasible or certified it is not
-  iterations,    // max_iterations reached
-  callback,      // stopped by the callback
-  failed         // rounding or a failed factorization ended it
+  path_end,    // the method can do no more: the last penalty factor, or x is feasible and rounding leaves the
+               // gap
+  iterations,  // max_iterations reached
+  callback,    // stopped by the callback
+  failed       // rounding or a failed factorization ended it
 };
 
 std::string_view status_name(Status status) noexcept;
@@ -47,11 +48,12 @@ struct Summary {
   double gap = std::numeric_limits<double>::quiet_NaN();
   double min_eigenvalue = std::numeric_limits<double>::quiet_NaN();
   double min_determinant = std::numeric_limits<double>::quiet_NaN();
-  int inverted = 0;
-  int infeasible = 0;
+  int inverted = -1;  // -1: not known
+  int infeasible = -1;
   double seconds = 0;
-  // Of what did not end `optimal`: ten elements (or all) with the largest multipliers, largest first. Where
-  // they grow beyond bounds no x is strictly feasible: the ex-rotations there contradict each other.
+  // Where the solver gave up (not: skinning, the callback's stop): ten elements (or all) with the largest
+  // multipliers, largest first. Where they grow beyond bounds no x is strictly feasible: the ex-rotations
+  // there contradict each other.
   std::vector<int> suspects;
   // Of `inadmissible`: no x whose nodes are all within `extent` of the middle of the targets, on every axis,
   // has S_i >= this for all elements. Rigorous up to rounding.
@@ -59,7 +61,7 @@ struct Summary {
   double extent = std::numeric_limits<double>::quiet_NaN();
   std::vector<Iteration> trace;
 
-  bool feasible() const { return infeasible == 0 && status != Status::not_run; }
+  bool feasible() const { return infeasible == 0; }
 };
 
 }  // namespace isostretch::sdp_penalty
