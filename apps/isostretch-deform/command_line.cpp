@@ -83,10 +83,6 @@ void CommandLine::declare_scene(CLI::App& cli) {
       ->type_name("N");
 }
 
-bool CommandLine::has_scene_file() const {
-  return input_.extension() == ".json";
-}
-
 Options CommandLine::options() const {
   return failing_with(ExitCode::command_line, [this] {
     Options options;
@@ -125,15 +121,8 @@ void CommandLine::add_handles(Json& scene) const {
 }
 
 Json CommandLine::scene() const {
-  Json scene = Json::object();
-  if (has_scene_file())
-    scene = failing_with(ExitCode::input, [this] {
-      const Json json = read_json_file(input_);
-      naming_file(input_, [&] { JsonValue(json).only(scene_keys()); });
-      return json;
-    });
-  else
-    scene["mesh"] = input_.string();
+  Json scene = scene_object(input_, scene_keys());
+  if (!has_scene_file()) scene["mesh"] = input_.string();
   try {
     add_energy(scene);
     add_handles(scene);

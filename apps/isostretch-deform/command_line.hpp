@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/output_folder.hpp"
+#include "common/scene_input.hpp"
 #include "common/solver_flags.hpp"
 #include "options.hpp"
 
@@ -28,7 +29,7 @@ class CommandLine {
   // The scene file, if there is one, with what the command line adds or replaces.
   Json scene() const;
 
-  bool has_scene_file() const;
+  bool has_scene_file() const { return is_scene_file(input_); }
   const std::filesystem::path& input() const { return input_; }
 
  private:

@@ -3,8 +3,10 @@
 #include "common/formatted.hpp"
 #include "common/interrupt.hpp"
 #include "common/newton_report.hpp"
+#include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
+#include "common/timed.hpp"
 #include "report.hpp"
 #include "scene_reader.hpp"
 #include "state.hpp"
@@ -16,23 +18,6 @@
 namespace isostretch::app::deform {
 namespace {
 
-template <class Work>
-auto timed(double& seconds, Work&& work) {
-  const ScopedTimer timer(seconds);
-  return work();
-}
-
-// What the scene says wrong is the fault of its file, or of the command line when there is no such file; what
-// is wrong in a mesh is that of the mesh in any case.
-template <class Work>
-auto reading_scene(const CommandLine& command_line, Work&& work) {
-  const ExitCode code = command_line.has_scene_file() ? ExitCode::input : ExitCode::command_line;
-  return failing_with(code, [&] {
-    if (command_line.has_scene_file()) return naming_file(command_line.input(), work);
-    return work();
-  });
-}
-
 class Job {
  public:
   Job(const CommandLine& command_line, const CommonOptions& common)
@@ -40,14 +25,16 @@ class Job {
         common_(common),
         json_(command_line.scene()),
         body_(timed(seconds_.read, [&] { return read_body(command_line); })),
-        scene_(reading_scene(command_line, [&] { return read_scene(json_, body_.dim); })),
-        rig_(reading_scene(command_line, [&] { return Rig(scene_.script, body_); })),
-        problem_(
-            timed(seconds_.read,
-                  [&] { return reading_scene(command_line, [&] { return Problem(scene_, body_, rig_); }); })),
+        scene_(reading_scene(command_line.input(), [&] { return read_scene(json_, body_.dim); })),
+        rig_(reading_scene(command_line.input(), [&] { return Rig(scene_.script, body_); })),
+        problem_(timed(seconds_.read,
+                       [&] {
+                         return reading_scene(command_line.input(),
+                                              [&] { return Problem(scene_, body_, rig_); });
+                       })),
         strain_(body_),
         result_{scene_, body_, rig_, problem_, Outcome::finished, {}, Json::array(), {}, {}, 0, {}} {
-    reading_scene(command_line, [&] { require_holds(scene_.format, body_); });
+    reading_scene(command_line.input(), [&] { require_holds(scene_.format, body_); });
     warn_of_loose_components();
   }
 
@@ -64,10 +51,9 @@ class Job {
 
  private:
   Body read_body(const CommandLine& command_line) {
-    const std::filesystem::path parent =
-        command_line.has_scene_file() ? command_line.input().parent_path() : std::filesystem::path();
-    const BodySpec spec = reading_scene(command_line, [&] { return read_body_spec(json_, parent); });
-    if (spec.generated) return reading_scene(command_line, [&] { return load_body(spec); });
+    const std::filesystem::path parent = scene_folder(command_line.input());
+    const BodySpec spec = reading_scene(command_line.input(), [&] { return read_body_spec(json_, parent); });
+    if (spec.generated) return reading_scene(command_line.input(), [&] { return load_body(spec); });
     return failing_with(ExitCode::input, [&] { return load_body(spec); });
   }
 

@@ -4,6 +4,7 @@
 #include "common/interrupt.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
+#include "common/timed.hpp"
 #include "report.hpp"
 
 #include <isostretch/core/timer.hpp>
@@ -13,12 +14,6 @@
 
 namespace isostretch::app::interpolate {
 namespace {
-
-template <class Work>
-auto timed(double& seconds, Work&& work) {
-  const ScopedTimer timer(seconds);
-  return work();
-}
 
 // Frames to draw side by side, evenly over the way.
 bool is_drawn(int frame, int frames) {

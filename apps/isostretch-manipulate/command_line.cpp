@@ -197,13 +197,7 @@ void CommandLine::add_photo(Json& scene) const {
 }
 
 Json CommandLine::scene() const {
-  Json scene = Json::object();
-  if (has_scene_file())
-    scene = failing_with(ExitCode::input, [this] {
-      const Json json = read_json_file(input_);
-      naming_file(input_, [&] { JsonValue(json).only(scene_keys()); });
-      return json;
-    });
+  Json scene = scene_object(input_, scene_keys());
   add_mesh(scene);
   try {
     add_handles(scene);

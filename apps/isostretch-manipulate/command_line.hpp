@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/output_folder.hpp"
+#include "common/scene_input.hpp"
 #include "options.hpp"
 
 #include <nlohmann/json.hpp>
@@ -27,10 +28,10 @@ class CommandLine {
   // The scene file, if there is one, with what the command line adds or replaces.
   Json scene() const;
 
-  bool has_scene_file() const { return input_.extension() == ".json"; }
+  bool has_scene_file() const { return is_scene_file(input_); }
   const std::filesystem::path& input() const { return input_; }
   // Where the files of the scene are looked for.
-  std::filesystem::path folder() const { return has_scene_file() ? input_.parent_path() : ""; }
+  std::filesystem::path folder() const { return scene_folder(input_); }
   int refine() const { return refine_; }
 
  private:

@@ -1,8 +1,10 @@
 #include "manipulate.hpp"
 
 #include "common/formatted.hpp"
+#include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
+#include "common/timed.hpp"
 #include "common/vtu.hpp"
 #include "photo_frames.hpp"
 #include "report.hpp"
@@ -14,23 +16,6 @@
 
 namespace isostretch::app::manipulate {
 namespace {
-
-template <class Work>
-auto timed(double& seconds, Work&& work) {
-  const ScopedTimer timer(seconds);
-  return work();
-}
-
-// What the scene says wrong is the fault of its file, or of the command line when there is no such file; what
-// is wrong in a mesh is that of the mesh in any case.
-template <class Work>
-auto reading_scene(const CommandLine& command_line, Work&& work) {
-  const ExitCode code = command_line.has_scene_file() ? ExitCode::input : ExitCode::command_line;
-  return failing_with(code, [&] {
-    if (command_line.has_scene_file()) return naming_file(command_line.input(), work);
-    return work();
-  });
-}
 
 // Frames that have a file.
 Json files_of(const Json& frames) {
@@ -47,11 +32,11 @@ class Job {
         common_(common),
         json_(command_line.scene()),
         body_(timed(seconds_.read, [&] { return read_body(command_line); })),
-        scene_(reading_scene(command_line, [&] { return read_scene(json_, body_.dim); })),
-        rig_(reading_scene(command_line, [&] { return Rig(scene_.script, body_); })),
+        scene_(reading_scene(command_line.input(), [&] { return read_scene(json_, body_.dim); })),
+        rig_(reading_scene(command_line.input(), [&] { return Rig(scene_.script, body_); })),
         photo_(read_photo(command_line)),
         strain_(body_) {
-    reading_scene(command_line, [&] { require_holds(scene_.format, body_); });
+    reading_scene(command_line.input(), [&] { require_holds(scene_.format, body_); });
     range_ = options_.range.value_or(FrameRange{1, scene_.script.frames});
     if (range_.last > scene_.script.frames)
       throw Failure(ExitCode::command_line, formatted("--frames: there is no frame %d, the scene has %d",
@@ -62,7 +47,7 @@ class Job {
     OutputFolder folder(options_.out);
     if (!options_.weights_cache.empty()) const OutputFolder writable(options_.weights_cache);
     const ElementRotations rotations = reading_scene(
-        command_line, [&] { return ElementRotations(scene_, body_, rig_, options_.weights_cache); });
+        command_line.input(), [&] { return ElementRotations(scene_, body_, rig_, options_.weights_cache); });
     seconds_.weights = rotations.seconds();
     Result result{scene_, body_, rig_, rotations, name_of_run(command_line)};
     result.wanted = range_.last - range_.first + 1;
@@ -75,19 +60,20 @@ class Job {
 
  private:
   Body read_body(const CommandLine& command_line) const {
-    const BodySpec spec = reading_scene(
-        command_line, [&] { return read_body_spec(json_, command_line.folder(), command_line.refine()); });
+    const BodySpec spec = reading_scene(command_line.input(), [&] {
+      return read_body_spec(json_, command_line.folder(), command_line.refine());
+    });
     const auto load = [&] {
       Body body = load_body(spec);
       require_linear(body);
       return body;
     };
-    return spec.generated ? reading_scene(command_line, load) : failing_with(ExitCode::input, load);
+    return spec.generated ? reading_scene(command_line.input(), load) : failing_with(ExitCode::input, load);
   }
 
   std::optional<PhotoFrames> read_photo(const CommandLine& command_line) const {
     const auto spec =
-        reading_scene(command_line, [&] { return read_photo_spec(json_, command_line.folder()); });
+        reading_scene(command_line.input(), [&] { return read_photo_spec(json_, command_line.folder()); });
     if (!spec) return {};
     return failing_with(ExitCode::input,
                         [&] { return std::optional<PhotoFrames>(std::in_place, *spec, body_); });

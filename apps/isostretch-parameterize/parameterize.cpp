@@ -3,6 +3,7 @@
 #include "common/newton_report.hpp"
 #include "common/output_folder.hpp"
 #include "common/terminal.hpp"
+#include "common/timed.hpp"
 #include "model_picture.hpp"
 #include "report_page.hpp"
 #include "textured_glb.hpp"
@@ -14,12 +15,6 @@
 
 namespace isostretch::app::parameterize {
 namespace {
-
-template <class Work>
-auto timed(double& seconds, Work&& work) {
-  const ScopedTimer timer(seconds);
-  return work();
-}
 
 Pictures write(OutputFolder& folder, const Result& result) {
   const Options& options = result.options;

@@ -1,5 +1,6 @@
 // What isostretch-deform says of input it cannot use, and its exit codes.
 #include "deform_app.hpp"
+#include "failure.hpp"
 
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/mesh/io.hpp>
@@ -16,18 +17,9 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// The app ends with that code, says why in one line that has these words, and leaves the folder as it was.
 void check_failure(const Scratch& scratch, const std::vector<std::string>& arguments, int code,
                    const std::vector<std::string>& words) {
-  const auto before = scratch.contents();
-  const Outcome run = deform(arguments);
-  CAPTURE(run.err);
-  CHECK(run.code == code);
-  CHECK(run.out.empty());
-  CHECK(run.err.rfind("error: ", 0) == 0);
-  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
-  for (const std::string& word : words) CHECK_MESSAGE(run.err.find(word) != std::string::npos, word);
-  CHECK(scratch.contents() == before);
+  check_failure_of([](const auto& list) { return deform(list); }, scratch, arguments, code, words);
 }
 
 void check_scene(const std::function<void(Json&)>& change, const std::vector<std::string>& words) {

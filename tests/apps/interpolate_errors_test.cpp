@@ -1,4 +1,5 @@
 // What isostretch-interpolate says of input it cannot use, and its exit codes.
+#include "failure.hpp"
 #include "interpolate_app.hpp"
 
 #include <doctest/doctest.h>
@@ -10,18 +11,9 @@ using namespace isostretch::test;
 
 namespace {
 
-// The app ends with that code, says why in one line that has these words, and leaves the folder as it was.
 void check_failure(const Scratch& scratch, const std::vector<std::string>& arguments, int code,
                    const std::vector<std::string>& words) {
-  const auto before = scratch.contents();
-  const Outcome run = interpolate(arguments);
-  CAPTURE(run.err);
-  CHECK(run.code == code);
-  CHECK(run.out.empty());
-  CHECK(run.err.rfind("error: ", 0) == 0);
-  CHECK(std::count(run.err.begin(), run.err.end(), '\n') == 1);
-  for (const std::string& word : words) CHECK_MESSAGE(run.err.find(word) != std::string::npos, word);
-  CHECK(scratch.contents() == before);
+  check_failure_of([](const auto& list) { return interpolate(list); }, scratch, arguments, code, words);
 }
 
 // Of a bar as the first pose and this one as the second.

@@ -234,6 +234,23 @@ TEST_CASE("every method is the same to the bit for any number of threads") {
   omp_set_num_threads(before);
 }
 
+TEST_CASE("ex-rotations of one and of two full turns: certified, or proved to be inadmissible") {
+  for (const double degrees : {360.0, 720.0})
+    for (const Problem& problem : {tests::swirl(12, degrees), tests::swirl_in_space(4, degrees)}) {
+      CAPTURE(degrees);
+      Vector x;
+      const auto summary = sdp_penalty::solve(problem, x);
+      CAPTURE(summary.message);
+      CHECK(x.allFinite());
+      if (summary.status == Status::optimal) {
+        CHECK(summary.inverted == 0);
+      } else {
+        CHECK(summary.status == Status::inadmissible);
+        CHECK(summary.suspects.size() == 10);
+      }
+    }
+}
+
 TEST_CASE("a body far from the origin is solved as well as one at the origin") {
   const Problem here = tests::swirl(12, 150);
   Vector x, y;
