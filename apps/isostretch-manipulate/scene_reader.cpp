@@ -1,6 +1,7 @@
 #include "scene_reader.hpp"
 
 #include "common/body_reader.hpp"
+#include "common/exit_code.hpp"
 #include "common/figures/photo.hpp"
 #include "common/handle_reader.hpp"
 #include "common/json_value.hpp"
@@ -24,7 +25,9 @@ double not_negative(const JsonValue& value) {
 GridSpec photo_grid(const JsonValue& value, const std::optional<PhotoSpec>& photo) {
   const int cells = value.only({"cells"}).at("cells").whole(1, most);
   if (!photo) value.fail("there is no picture; give 'photo'");
-  const figures::Photo picture = figures::read_photo(photo->file);
+  // What is wrong in a picture is its own fault, whoever names it.
+  const figures::Photo picture =
+      failing_with(ExitCode::input, [&] { return figures::read_photo(photo->file); });
   const double longer = std::max(picture.width(), picture.height());
   const double width = picture.width() / longer, height = picture.height() / longer;
   const auto count = [&](double size) { return std::max(1, static_cast<int>(std::lround(cells * size))); };
