@@ -116,7 +116,8 @@ TEST_CASE("manipulate: pictures that are none are named") {
   check_failure(scratch, {scene, "-o", scratch.path("out"), "--photo", scratch.path("none.png")}, 3,
                 {"none.png: cannot be read"});
   check_failure(scratch, {scene, "-o", scratch.path("out"), "--photo", text}, 3, {"text.png: is no PNG"});
-  check_failure(scratch, {"-o", scratch.path("out"), "--photo", text, "--photo-cells", "4", "--handle", "all"}, 3,
+  check_failure(scratch,
+                {"-o", scratch.path("out"), "--photo", text, "--photo-cells", "4", "--handle", "all"}, 3,
                 {"text.png: is no PNG"});
   const std::string bar = write_scene(scratch, squashed_bar(), "bar.json");
   check_failure(scratch, {bar, "-o", scratch.path("out"), "--photo", text}, 3, {"photo: ", "plane"});
