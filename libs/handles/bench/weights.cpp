@@ -2,6 +2,8 @@
 // every handle.
 //
 //   isostretch_weights grid|bar|quadruped n [handles=10] [tolerance=1e-9]
+#include "../tests/body.hpp"
+
 #include <isostretch/core/timer.hpp>
 #include <isostretch/handles/bounded_weights.hpp>
 #include <isostretch/handles/selection.hpp>
@@ -19,18 +21,8 @@ namespace {
 
 using namespace isostretch;
 
-struct Body {
-  assembly::Elements elements;
-  handles::Nodes nodes;
-};
-
-template <class Points>
-Body body(const mesh::ElementArrays& arrays, const Points& points) {
-  Body b{assembly::elements_from(arrays), {}};
-  b.nodes.dim = arrays.dim;
-  b.nodes.positions = Vector::Map(points.data(), points.size());
-  return b;
-}
+using tests::Body;
+using tests::body;
 
 Body body_of(const std::string& kind, int n) {
   if (kind == "grid") {

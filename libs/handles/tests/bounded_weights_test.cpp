@@ -1,3 +1,5 @@
+#include "body.hpp"
+
 #include <isostretch/core/error.hpp>
 #include <isostretch/handles/bounded_weights.hpp>
 #include <isostretch/handles/selection.hpp>
@@ -19,18 +21,8 @@ namespace {
 
 using Handles = std::vector<std::vector<int>>;
 
-struct Body {
-  assembly::Elements elements;
-  Nodes nodes;
-};
-
-template <class Points>
-Body body(const mesh::ElementArrays& arrays, const Points& points) {
-  Body b{assembly::elements_from(arrays), {}};
-  b.nodes.dim = arrays.dim;
-  b.nodes.positions = Vector::Map(points.data(), points.size());
-  return b;
-}
+using tests::Body;
+using tests::body;
 
 Body sheet(const mesh::SurfaceMesh& mesh) {
   const mesh::Points2 flat = mesh.vertices.leftCols<2>();

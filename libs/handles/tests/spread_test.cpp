@@ -1,3 +1,5 @@
+#include "body.hpp"
+
 #include <isostretch/core/error.hpp>
 #include <isostretch/handles/selection.hpp>
 #include <isostretch/handles/spread.hpp>
@@ -16,18 +18,8 @@ using namespace isostretch::handles;
 
 namespace {
 
-struct Body {
-  assembly::Elements elements;
-  Nodes nodes;
-};
-
-template <class Points>
-Body body(const mesh::ElementArrays& arrays, const Points& points) {
-  Body b{assembly::elements_from(arrays), {}};
-  b.nodes.dim = arrays.dim;
-  b.nodes.positions = Vector::Map(points.data(), points.size());
-  return b;
-}
+using tests::Body;
+using tests::body;
 
 Body tets() {
   const auto m = mesh::tet_bar(6, 3, 3, 6, 3, 3);

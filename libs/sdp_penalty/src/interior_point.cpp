@@ -44,6 +44,7 @@ class InteriorPoint {
       if (!cone.scale())
         return give_up(Status::failed, "rounding has taken slacks or multipliers to the boundary");
     if (!factorize()) return;
+    system_.gradient(x_, gradient_of_f_);  // the same for every direction from here
     // Predictor: all the way, no centring.
     const double mu = mean_complementarity();
     for (Cone& cone : cones_) cone.aim(0, false);
@@ -94,8 +95,7 @@ class InteriorPoint {
   }
 
   void solve_direction() {
-    Vector gradient;
-    system_.gradient(x_, gradient);
+    Vector gradient = gradient_of_f_;
     subtract_adjoint(system_, multipliers(&Cone::pull), gradient);
     const Vector right = -system_.unknown_part(gradient);
     Vector direction(right.size());
@@ -149,7 +149,7 @@ class InteriorPoint {
   Progress& progress_;
   Vector& x_;
   std::vector<Cone> cones_;  // orientation, and stretch where it is bounded
-  Vector dx_;
+  Vector dx_, gradient_of_f_;
   double weight_ = 1;  // mean of the elements'
 };
 
