@@ -42,7 +42,7 @@ Vector Unconstrained::minimiser() const {
   return x - solved(g);
 }
 
-double Unconstrained::lower_bound(const Vector& x, double energy, const Constrained& at_x,
+double Unconstrained::lower_bound(const Vector& gradient, double energy, const Constrained& at_x,
                                   const Constrained& multipliers) const {
   double inner = 0, size = std::abs(energy);  // of the terms, whose rounding the bound must survive
   const Blocks &S = at_x.orientation, &Y = multipliers.orientation;
@@ -56,8 +56,7 @@ double Unconstrained::lower_bound(const Vector& x, double energy, const Constrai
   for (std::size_t first = 0; first < S.size(); first += entries)
     for (std::size_t k = 0; k < entries; k += diagonal) inner -= Y[first + k] * margin;
   for (std::size_t k = 0; k < multipliers.stretch.size(); ++k) add(multipliers.stretch[k] * at_x.stretch[k]);
-  Vector r;
-  system_->gradient(x, r);
+  Vector r = gradient;
   subtract_adjoint(*system_, multipliers, r);
   const double bound =
       energy - inner - 0.5 * r.dot(solved(r)) - std::numeric_limits<double>::epsilon() * size;

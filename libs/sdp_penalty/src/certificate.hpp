@@ -19,8 +19,9 @@ class Unconstrained {
 
   Vector minimiser() const;
 
-  // A bound on the energy of every feasible x, for any positive semi-definite multipliers.
-  double lower_bound(const Vector& x, double energy, const Constrained& at_x,
+  // A bound on the energy of every feasible x, from the energy and its gradient at any, and any positive
+  // semi-definite multipliers.
+  double lower_bound(const Vector& gradient, double energy, const Constrained& at_x,
                      const Constrained& multipliers) const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -31,8 +32,8 @@ Blocks congruence(std::size_t size, const Blocks& T, const Blocks& A, bool trans
   return congruence<6>(T, A, transpose);
 }
 
-// Largest t <= limit with diag(l) + t D_i positive semi-definite for all blocks D_i.
-double largest_step(std::size_t d, const std::vector<double>& l, const Blocks& D, double limit) {
+// Smallest eigenvalue of all diag(l)^-1/2 D_i diag(l)^-1/2.
+double smallest_relative(std::size_t d, const std::vector<double>& l, const Blocks& D) {
   Blocks relative(D.size());
   std::vector<double> root(l.size());
   for (std::size_t k = 0; k < l.size(); ++k) root[k] = 1 / std::sqrt(l[k]);
@@ -44,7 +45,23 @@ double largest_step(std::size_t d, const std::vector<double>& l, const Blocks& D
         relative[(i * d + r) * d + c] = D[(i * d + r) * d + c] * root[i * d + r] * root[i * d + c];
   std::vector<double> lambda;
   block_eigen(static_cast<int>(d), relative, lambda, nullptr);
-  const double smallest = *std::min_element(lambda.begin(), lambda.end());
+  return *std::min_element(lambda.begin(), lambda.end());
+}
+
+// The same of 2x2 blocks, which are not worth a kernel.
+double smallest_relative_2(const std::vector<double>& l, const Blocks& D) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < D.size() / 4; ++i) {
+    const double a = D[4 * i] / l[2 * i], c = D[4 * i + 3] / l[2 * i + 1],
+                 bb = D[4 * i + 1] * D[4 * i + 1] / (l[2 * i] * l[2 * i + 1]);
+    smallest = std::min(smallest, 0.5 * (a + c) - std::sqrt(0.25 * (a - c) * (a - c) + bb));
+  }
+  return smallest;
+}
+
+// Largest t <= limit with diag(l) + t D_i positive semi-definite for all blocks D_i.
+double largest_step(std::size_t d, const std::vector<double>& l, const Blocks& D, double limit) {
+  const double smallest = d == 2 ? smallest_relative_2(l, D) : smallest_relative(d, l, D);
   return smallest < 0 ? std::min(limit, -1 / smallest) : limit;
 }
 

@@ -60,10 +60,9 @@ bool Path::newton_step() {
     progress_.give_up(Status::iterations, "max_iterations reached", x_, {state_.multiplier, {}});
     return false;
   }
-  system.gradient(x_, gradient_of_f_);
   Blocks pull = state_.multiplier;
   for (double& entry : pull) entry = -entry;
-  gradient_ = gradient_of_f_;
+  gradient_ = progress_.gradient();
   system.add_adjoint(pull, gradient_);
   system.curved(state_.curvature, work_.matrix);
   const sparse::FactorResult result = work_.newton_solver().factorize(work_.matrix);
@@ -96,7 +95,7 @@ double Path::change(double step) const {
   Blocks S = S_;
   for (std::size_t k = 0; k < S.size(); ++k) S[k] += step * change_of_S_[k];
   const std::vector<double> after = values(penalty_, work_.system.dim(), S);
-  double sum = work_.system.change_of_objective(gradient_of_f_, dx_, step);
+  double sum = work_.system.change_of_objective(progress_.gradient(), dx_, step);
   for (std::size_t e = 0; e < after.size(); ++e) sum += after[e] - state_.value[e];
   return sum;
 }

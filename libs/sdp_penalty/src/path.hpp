@@ -44,7 +44,7 @@ class Path {
   SpectralPenalty penalty_;
   SpectralState state_;
   Blocks S_, change_of_S_;
-  Vector gradient_of_f_, gradient_, dx_;
+  Vector gradient_, dx_;
   double decrement_ = 0, step_ = 0;
 };
 

@@ -90,7 +90,8 @@ void Progress::record(Iteration row, const Vector& x, const Constrained& at_x,
     return end(Status::failed, "the energy is not finite");
   }
   count_infeasible(row, at_x);
-  row.lower_bound = work_.unconstrained.lower_bound(x, row.energy, at_x, multipliers);
+  system.gradient(x, gradient_);
+  row.lower_bound = work_.unconstrained.lower_bound(gradient_, row.energy, at_x, multipliers);
   summary_.lower_bound = std::fmax(summary_.lower_bound, row.lower_bound);
   const auto determinants = system.determinants(x);
   row.inverted = static_cast<int>(

@@ -52,6 +52,8 @@ class Progress {
   void count_iteration() { ++summary_.iterations; }
   int iterations() const { return summary_.iterations; }
   const Iteration& last() const { return summary_.trace.back(); }
+  // Of the objective at the last x.
+  const Vector& gradient() const { return gradient_; }
   bool feasible() const { return last().infeasible == 0; }
   double gap() const;
   bool certified() const;  // feasible, and the gap is within the tolerance
@@ -67,6 +69,7 @@ class Progress {
   const IterationCallback& callback_;
   bool ends_at_certificate_;  // Algorithm 1 as published does not
   Timer timer_;
+  Vector gradient_;
   Summary summary_;
 };
 

@@ -25,7 +25,7 @@ enum class Penalty {
 // Primal-dual interior point on the slack form Z_i = S_i(x) - margin I (Nesterov-Todd scaling, Mehrotra's
 // predictor and corrector): no line search, no penalty factor.
 struct InteriorPointOptions {
-  double step_fraction = 0.99;    // of the way to the boundary
+  double step_fraction = 0.995;   // of the way to the boundary
   double least_eigenvalue = 0.1;  // of the slacks at the start
   // At most so many solves more with every factor to lengthen the step (Gondzio 1996).
   int centrality_corrections = 2;
