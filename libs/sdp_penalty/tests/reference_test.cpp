@@ -1,5 +1,5 @@
 // The reference instances of the inversion-free problem, whose optima are bracketed to 1e-10.
-#include "reference.hpp"
+#include "reference_problems.hpp"
 
 #include <isostretch/sdp_penalty/solver.hpp>
 

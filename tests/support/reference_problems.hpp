@@ -57,7 +57,17 @@ struct Reference {
   std::string name;
   nlohmann::json json;
   sdp_penalty::Problem problem;  // margin 0
+  Vector rest;
 };
+
+inline Vector rest_of(const nlohmann::json& j) {
+  const auto vertices = j["vertices"].get<std::vector<std::vector<double>>>();
+  const auto dim = static_cast<std::size_t>(j["dim"]);
+  Vector rest(static_cast<Eigen::Index>(vertices.size() * dim));
+  for (std::size_t i = 0; i < vertices.size() * dim; ++i)
+    rest[static_cast<Eigen::Index>(i)] = vertices[i / dim][i % dim];
+  return rest;
+}
 
 // By name: three that are in the repository, and the others where the data lies beside the sources.
 inline std::vector<Reference> references() {
@@ -72,7 +82,8 @@ inline std::vector<Reference> references() {
       if (std::any_of(result.begin(), result.end(), [&](const Reference& r) { return r.name == name; }))
         continue;
       sdp_penalty::Problem problem = problem_of(json);
-      result.push_back({std::move(name), std::move(json), std::move(problem)});
+      Vector rest = rest_of(json);
+      result.push_back({std::move(name), std::move(json), std::move(problem), std::move(rest)});
     }
   }
   std::sort(result.begin(), result.end(),

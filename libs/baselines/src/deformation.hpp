@@ -1,0 +1,17 @@
+#pragma once
+
+#include <isostretch/assembly/elements.hpp>
+#include <isostretch/core/vector.hpp>
+
+#include <vector>
+
+namespace isostretch::baselines {
+
+// F of linear elements, one after the other in the layout of batches: entry (r, c) of element e at
+// (r + dim * c) * count + e.
+std::vector<double> deformation_gradients(const assembly::Elements& elements, const Vector& x);
+
+// Of every element.
+std::vector<double> determinants(const assembly::Elements& elements, const Vector& x);
+
+}  // namespace isostretch::baselines

@@ -1,0 +1,81 @@
+#include <isostretch/baselines/measures.hpp>
+
+#include "deformation.hpp"
+
+#include <isostretch/linalg/decompositions.hpp>
+#include <isostretch/sdp_penalty/relinearize.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace isostretch::baselines {
+namespace {
+
+// S = sym(R^T F) in the layout of batches.
+std::vector<double> constraint_matrices(const sdp_penalty::Problem& problem, const std::vector<double>& F) {
+  const auto count = static_cast<std::size_t>(problem.element_count()),
+             dim = static_cast<std::size_t>(problem.dim());
+  std::vector<double> S(F.size(), 0.0);
+  for (std::size_t e = 0; e < count; ++e) {
+    const double* R = problem.rotations.data() + e * dim * dim;
+    for (std::size_t i = 0; i < dim; ++i)
+      for (std::size_t j = 0; j < dim; ++j)
+        for (std::size_t k = 0; k < dim; ++k)
+          S[(i + dim * j) * count + e] += 0.5 * (R[k * dim + i] * F[(k + dim * j) * count + e] +
+                                                 R[k * dim + j] * F[(k + dim * i) * count + e]);
+  }
+  return S;
+}
+
+void measure_constraint(const sdp_penalty::Problem& problem, const std::vector<double>& F,
+                        Measures& measures) {
+  const auto count = static_cast<std::size_t>(problem.element_count()),
+             dim = static_cast<std::size_t>(problem.dim());
+  const std::vector<double> S = constraint_matrices(problem, F);
+  std::vector<double> lambda(count * dim);
+  linalg::symmetric_eigen(problem.dim(), {S.data(), lambda.data(), nullptr, count, count});
+  measures.min_eigenvalue = std::numeric_limits<double>::infinity();
+  measures.infeasible = 0;
+  for (std::size_t e = 0; e < count; ++e) {
+    double least = lambda[e];
+    for (std::size_t k = 1; k < dim; ++k) least = std::min(least, lambda[k * count + e]);
+    measures.min_eigenvalue = std::min(measures.min_eigenvalue, least);
+    measures.infeasible += least < problem.margin;
+  }
+}
+
+double distortion(const sdp_penalty::Problem& problem, const Vector& x, const std::vector<double>& F) {
+  const std::vector<double> Q = sdp_penalty::nearest_rotations(problem.elements, x);
+  const auto count = static_cast<std::size_t>(problem.element_count()),
+             dim = static_cast<std::size_t>(problem.dim());
+  double sum = 0;
+  for (std::size_t e = 0; e < count; ++e)
+    for (std::size_t r = 0; r < dim; ++r)
+      for (std::size_t c = 0; c < dim; ++c) {
+        const double difference = F[(r + dim * c) * count + e] - Q[(e * dim + r) * dim + c];
+        sum += problem.weights[e] * difference * difference;
+      }
+  return sum;
+}
+
+}  // namespace
+
+Measures measure(const sdp_penalty::Problem& problem, const Vector& x) {
+  Measures measures;
+  if (!x.allFinite()) {
+    measures.infeasible = measures.inverted = problem.element_count();
+    return measures;
+  }
+  measures.energy = sdp_penalty::energy(problem, x);
+  measures.target_energy = sdp_penalty::target_energy(problem, x);
+  const std::vector<double> F = deformation_gradients(problem.elements, x);
+  measure_constraint(problem, F, measures);
+  measures.distortion = distortion(problem, x, F);
+  const std::vector<double> det = determinants(problem.elements, x);
+  measures.min_determinant = *std::min_element(det.begin(), det.end());
+  measures.inverted =
+      static_cast<int>(std::count_if(det.begin(), det.end(), [](double d) { return !(d > 0); }));
+  return measures;
+}
+
+}  // namespace isostretch::baselines

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <isostretch/baselines/solver.hpp>
+#include <isostretch/core/timer.hpp>
+
+#include <string>
+
+namespace isostretch::baselines {
+
+// The clock, the trace and the end of a run: what every solver reports to. Time spent on measures and in the
+// callback is nobody's.
+class Recorder {
+ public:
+  Recorder(const Instance& instance, const Options& options, const PointCallback& callback);
+
+  // Phases follow one another; the first is modelling.
+  enum class Phase { modelling, solving, reading };
+  void begin(Phase phase);
+
+  // The next iterate. False: stop, for a limit is reached or the callback said so.
+  bool record(const Vector& x);
+  // For solvers whose iterations have numbers of their own.
+  bool record(const Vector& x, int iteration);
+  // Between iterates. False: as above.
+  bool may_go_on();
+
+  double seconds() const;       // so far
+  double seconds_left() const;  // infinity without a limit
+  int points() const { return static_cast<int>(result_.trace.size()); }
+
+  bool ended() const { return result_.status != Status::not_run; }
+  // The first reason stays.
+  void end(Status status, std::string message);
+
+  // What the solver alone knows: iterations, linear_solves, lower_bound, peak_megabytes. finish() fills in
+  // the rest.
+  Result& result() { return result_; }
+  Result finish(const Vector& x);
+
+ private:
+  void book_time();
+
+  const Instance& instance_;
+  const Options& options_;
+  const PointCallback& callback_;
+  Result result_;
+  Timer timer_;  // since the last entry in the books
+  double* phase_ = nullptr;
+};
+
+}  // namespace isostretch::baselines

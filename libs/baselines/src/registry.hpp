@@ -1,0 +1,24 @@
+#pragma once
+
+#include "recorder.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isostretch::baselines {
+
+// One solver: from the instance to positions (empty where it has none). It reports to the recorder, and ends
+// there with a status. Exceptions that leave it become the status `failed`, std::bad_alloc `memory_limit`.
+using Run = Vector (*)(const Instance&, const Options&, Recorder&);
+
+struct Entry {
+  SolverInfo info;
+  Run run = nullptr;
+};
+
+// Each in its own file, as many entries as it has variants; those of one that was not found when this was
+// built say so in `needs`.
+std::vector<Entry> own_methods();
+
+}  // namespace isostretch::baselines
