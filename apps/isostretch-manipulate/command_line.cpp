@@ -8,6 +8,8 @@
 #include "scene.hpp"
 #include "scene_reader.hpp"
 
+#include <isostretch/baselines/solver.hpp>
+
 #include <CLI/CLI.hpp>
 
 namespace isostretch::app::manipulate {
@@ -17,6 +19,12 @@ std::vector<std::string> method_names() {
   std::vector<std::string> names;
   for (const sdp_penalty::Method method : sdp_penalty::all_methods())
     names.emplace_back(sdp_penalty::method_name(method));
+  return names;
+}
+
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names;
+  for (const baselines::SolverInfo& info : baselines::solvers()) names.emplace_back(info.name);
   return names;
 }
 
@@ -50,6 +58,7 @@ void add_choice(CLI::App& cli, const std::string& flag, std::optional<std::strin
 void CommandLine::declare(CLI::App& cli) {
   declare_files(cli);
   declare_problem(cli);
+  declare_solvers(cli);
   declare_photo(cli);
 }
 
@@ -110,6 +119,9 @@ void CommandLine::declare_problem(CLI::App& cli) {
              "Ex-rotations of the elements: ", name_of(rotations_names, Rotations::biharmonic));
   add_choice(cli, "--blend", blend_, blend_names,
              "Of the handles' rotations: ", "angle in the plane, else quaternion");
+}
+
+void CommandLine::declare_solvers(CLI::App& cli) {
   cli.add_option("--method", method_, listed(method_names()))
       ->check(CLI::IsMember(method_names()))
       ->type_name("NAME")
@@ -126,6 +138,22 @@ void CommandLine::declare_problem(CLI::App& cli) {
   cli.add_option("--max-iterations", max_iterations_, "Of a frame")
       ->check(whole_number_between(1, 1'000'000'000))
       ->type_name("N");
+  cli.add_option("--solver", solver_, "Instead of a method, one of the rivals: " + listed(solver_names()))
+      ->check(CLI::IsMember(solver_names()))
+      ->type_name("NAME");
+  cli.add_option("--compare", compare_,
+                 "Run many solvers on the last frame, each in a process of its own: all, convex, nearby, or "
+                 "names with commas")
+      ->type_name("NAMES");
+  cli.add_option("--repeat", repetitions_, "Of --compare: runs of each solver; the median counts")
+      ->check(whole_number_between(1, 1000))
+      ->type_name("N")
+      ->default_str("1");
+  cli.add_option("--memory-limit", memory_limit_,
+                 "Megabytes for a process: of a solver that is a program, of each with --compare; "
+                 "0: no limit")
+      ->check(not_negative())
+      ->type_name("MB");
   cli.add_option("--time-limit", time_limit_, "Stop after so many seconds; 0: no limit")
       ->check(not_negative())
       ->type_name("SECONDS");
@@ -147,6 +175,9 @@ Options CommandLine::options() const {
     Options options;
     options.out = out_;
     options.time_limit = time_limit_;
+    options.memory_limit = memory_limit_;
+    options.compare = compare_;
+    options.repetitions = repetitions_;
     options.picture = !no_picture_;
     options.weights_cache = weights_cache_;
     if (frames_ && frames_->find(':') != std::string::npos) {
@@ -217,6 +248,11 @@ Json CommandLine::scene() const {
   if (blend_) scene["blend"] = *blend_;
   if (method_) scene["method"] = *method_;
   if (penalty_) scene["penalty"] = *penalty_;
+  if (solver_) {  // in the place of what the scene chose
+    scene["solver"] = *solver_;
+    if (!method_) scene.erase("method");
+    if (!penalty_) scene.erase("penalty");
+  }
   if (largest_stretch_) scene["largest_stretch"] = *largest_stretch_;
   if (relinearize_) scene["relinearize"] = *relinearize_;
   if (gap_) scene["gap"] = *gap_;

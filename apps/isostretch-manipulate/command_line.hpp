@@ -33,10 +33,12 @@ class CommandLine {
   // Where the files of the scene are looked for.
   std::filesystem::path folder() const { return scene_folder(input_); }
   int refine() const { return refine_; }
+  bool compares() const { return !compare_.empty(); }
 
  private:
   void declare_files(CLI::App& cli);
   void declare_problem(CLI::App& cli);
+  void declare_solvers(CLI::App& cli);
   void declare_photo(CLI::App& cli);
   std::string path_from_here(const std::string& file) const;
   void add_mesh(Json& scene) const;
@@ -44,14 +46,14 @@ class CommandLine {
   void add_photo(Json& scene) const;
 
   std::filesystem::path input_;
-  std::string out_, weights_cache_;
+  std::string out_, weights_cache_, compare_;
   std::optional<std::string> mesh_, frames_, weights_, rotations_, blend_, method_, penalty_, format_, photo_,
-      photo_fit_;
+      photo_fit_, solver_;
   std::optional<double> alpha_, incompressibility_, margin_, largest_stretch_, gap_;
   std::optional<int> max_iterations_, relinearize_, photo_cells_;
   std::vector<std::string> handles_;
-  int refine_ = 1;
-  double time_limit_ = 0;
+  int refine_ = 1, repetitions_ = 1;
+  double time_limit_ = 0, memory_limit_ = 0;
   bool absolute_ = false, no_picture_ = false;
 };
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -20,15 +21,28 @@ std::string progress_line(const sdp_penalty::Iteration& row) {
                    row.lower_bound, row.inverted, row.seconds);
 }
 
+// What a rival does not know of the row stays unknown.
+sdp_penalty::Iteration row_of(const baselines::Point& point) {
+  sdp_penalty::Iteration row;
+  row.iteration = point.iteration;
+  row.seconds = point.seconds;
+  row.energy = point.measures.energy;
+  row.lower_bound = -std::numeric_limits<double>::infinity();
+  row.min_eigenvalue = point.measures.min_eigenvalue;
+  row.inverted = point.measures.inverted;
+  row.infeasible = point.measures.infeasible;
+  return row;
+}
+
 }  // namespace
 
 FrameSolver::FrameSolver(const Scene& scene, const Body& body, const Rig& rig,
-                         const ElementRotations& rotations, double time_limit)
+                         const ElementRotations& rotations, const Options& options)
     : scene_(scene),
       body_(body),
       rig_(rig),
       rotations_(rotations),
-      time_limit_(time_limit),
+      options_(options),
       rest_(body.rest_positions()),
       solver_(scene.solver) {
   find_loose_nodes();
@@ -74,7 +88,10 @@ FrameResult FrameSolver::solve(int frame) {
       result.given = rotations_.at(result.time);
       place_targets(result.time);
       problem_.rotations = result.rotations = result.given;
-      run(result);
+      if (scene_.rival.empty())
+        run(result);
+      else
+        run_rival(result);
     } catch (const Error& error) {
       result.trouble = error.what();
     }
@@ -101,6 +118,51 @@ void FrameSolver::run(FrameResult& result) {
   if (scene_.relinearize > 0 && result.summary.status != sdp_penalty::Status::callback) relinearize(result);
   put_loose_nodes_back(result.before);
   put_loose_nodes_back(result.positions);
+}
+
+// The limit is the frames' together.
+void FrameSolver::run_rival(FrameResult& result) {
+  baselines::Options options;
+  options.tolerance = scene_.solver.gap_tolerance;
+  options.limits.seconds =
+      options_.time_limit > 0 ? std::max(1e-3, options_.time_limit - timer_.seconds()) : 0;
+  options.limits.megabytes = options_.memory_limit;
+  options.limits.iterations = scene_.solver.max_iterations;
+  result.before = skinned();
+  baselines::Result made = baselines::solve(
+      scene_.rival, {problem_, rest_}, options, [&](const baselines::Point& point, const Vector& x) {
+        const sdp_penalty::Iteration row = row_of(point);
+        result.path.add(row, x);
+        result.summary.trace.push_back(row);
+        show_progress(formatted("frame %d of %d  ", result.frame, scene_.script.frames) + scene_.rival +
+                      "  " + progress_line(row));
+        return interrupted() ? baselines::CallbackAction::stop : baselines::CallbackAction::proceed;
+      });
+  if (made.status == baselines::Status::callback) made.message = halt();
+  result.summary.message = made.message;
+  result.summary.iterations = made.iterations;
+  result.summary.linear_solves = made.linear_solves;
+  result.summary.energy = made.measures.energy;
+  result.summary.target_energy = made.measures.target_energy;
+  result.summary.lower_bound = made.lower_bound;
+  result.positions = made.x;
+  if (!made.has_positions() || !made.x.allFinite())
+    result.trouble =
+        scene_.rival + ": " + std::string(baselines::status_name(made.status)) + ", " + made.message;
+  result.rival = std::move(made);
+  if (!result.made()) return;
+  put_loose_nodes_back(result.before);
+  put_loose_nodes_back(result.positions);
+}
+
+// Ex-rotated skinning, which the picture shows beside the result; its time is nobody's.
+Vector FrameSolver::skinned() const {
+  sdp_penalty::Options options;
+  options.method = sdp_penalty::Method::skinning;
+  options.solver = scene_.solver.solver;
+  Vector x;
+  sdp_penalty::solve(problem_, x, options);
+  return x;
 }
 
 // Goes on from the result, or from the soft answer where there is no feasible one. What is reported is the
@@ -144,8 +206,8 @@ void FrameSolver::put_loose_nodes_back(Vector& positions) const {
 
 std::string FrameSolver::halt() const {
   if (interrupted()) return "interrupted (Ctrl-C)";
-  if (time_limit_ > 0 && timer_.seconds() > time_limit_)
-    return formatted("stopped after %g seconds (--time-limit)", time_limit_);
+  if (options_.time_limit > 0 && timer_.seconds() > options_.time_limit)
+    return formatted("stopped after %g seconds (--time-limit)", options_.time_limit);
   return {};
 }
 

@@ -1,4 +1,5 @@
 #include "command_line.hpp"
+#include "compare.hpp"
 #include "manipulate.hpp"
 
 int main(int argc, char** argv) {
@@ -11,5 +12,9 @@ int main(int argc, char** argv) {
            "Moves and turns parts of a body and lets the rest follow without an inverted element, with a "
            "proof of how close to the best possible.",
        .declare = [&](CLI::App& cli) { command_line.declare(cli); },
-       .body = [&](const CommonOptions& common) { return manipulate::manipulate(command_line, common); }});
+       .body =
+           [&](const CommonOptions& common) {
+             return command_line.compares() ? manipulate::compare(command_line, common)
+                                            : manipulate::manipulate(command_line, common);
+           }});
 }

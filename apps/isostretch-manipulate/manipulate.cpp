@@ -120,7 +120,7 @@ class Job {
   }
 
   void make_frames(Result& result, OutputFolder& folder) {
-    FrameSolver solver(scene_, body_, rig_, result.rotations, options_.time_limit);
+    FrameSolver solver(scene_, body_, rig_, result.rotations, options_);
     for (int frame = range_.first; frame <= range_.last; ++frame) {
       const std::string reason = solver.halt();
       if (!reason.empty() && frame > range_.first) {
@@ -129,7 +129,7 @@ class Job {
         return;
       }
       FrameResult made = timed(seconds_.solve, [&] { return solver.solve(frame); });
-      const bool on = made.summary.status != sdp_penalty::Status::callback;
+      const bool on = !made.stopped();
       if (!on) {
         result.outcome = Outcome::stopped;
         result.message = formatted("frame %d: ", frame) + made.summary.message;
@@ -153,10 +153,10 @@ class Job {
                                          {"det_F", after.strain.min_det},
                                          {"length_change", after.strain.length_change}}));
     add_frame(result, made, before, after, file);
-    notice(formatted("frame %d of %d: ", made.frame, scene_.script.frames) +
-           std::string(sdp_penalty::status_name(made.summary.status)) +
-           formatted(", %d iterations, gap %.1e, inverted %zu -> %zu, min det F %.2g, %.2f s",
-                     made.summary.iterations, made.summary.gap, before.strain.inverted.size(),
+    notice(formatted("frame %d of %d: ", made.frame, scene_.script.frames) + std::string(made.status()) +
+           formatted(", %d iterations", made.summary.iterations) +
+           (made.rival ? std::string() : formatted(", gap %.1e", made.summary.gap)) +
+           formatted(", inverted %zu -> %zu, min det F %.2g, %.2f s", before.strain.inverted.size(),
                      after.strain.inverted.size(), after.strain.smallest_det(), made.seconds));
     if (photo_) photo_->add(made.frame, made.positions);
     result.last = std::move(made);

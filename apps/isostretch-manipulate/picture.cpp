@@ -12,8 +12,9 @@ std::string inverted_text(const StrainField& strain) {
              : with_thousands(static_cast<long long>(strain.inverted.size())) + " inverted (blue)";
 }
 
-std::string gap_text(const sdp_penalty::Summary& s) {
-  return s.status == sdp_penalty::Status::optimal ? formatted("certified gap %.1e", s.gap) : "not certified";
+std::string gap_text(const FrameResult& f) {
+  if (f.rival) return std::string(f.status());
+  return f.certified() ? formatted("certified gap %.1e", f.summary.gap) : "not certified";
 }
 
 }  // namespace
@@ -27,10 +28,11 @@ std::string draw_states(const Result& r, const Strain& strain) {
                                   field.length_change, field.inverted};
   };
   return figures::draw_deformation(
-      {.title = r.name + formatted(", frame %d of %d", f.frame, r.scene.script.frames),
+      {.title = r.name + formatted(", frame %d of %d", f.frame, r.scene.script.frames) +
+                (r.scene.rival.empty() ? "" : ", by " + r.scene.rival),
        .subtitle = with_thousands(r.body.elements.element_count()) + " " + plural_name(r.body.shape) +
                    formatted("   ·   %d iterations, %.2f s   ·   ", f.summary.iterations, f.seconds) +
-                   gap_text(f.summary) + formatted("   ·   min det F %.2g", after.smallest_det()) +
+                   gap_text(f) + formatted("   ·   min det F %.2g", after.smallest_det()) +
                    "   ·   lines: where handles end",
        .states = {state("at rest", r.body.rest_positions(), rest),
                   state("ex-rotated skinning: " + inverted_text(before), f.before, before),

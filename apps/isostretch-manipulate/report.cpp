@@ -19,6 +19,12 @@ double relative_gap(const sdp_penalty::Iteration& row) {
   return (row.energy - row.lower_bound) / std::max({std::abs(row.energy), std::abs(row.lower_bound), 1e-300});
 }
 
+constexpr const char* trace_head =
+    "frame,iteration,seconds,energy,lower_bound,gap,min_eigenvalue,complementarity,penalty_factor,step,"
+    "inverted,infeasible\n";
+constexpr const char* rival_head =
+    "frame,iteration,seconds,energy,min_eigenvalue,min_det_F,distortion,inverted,infeasible\n";
+
 std::string trace_rows(int frame, const sdp_penalty::Summary& summary) {
   std::string text;
   for (const sdp_penalty::Iteration& row : summary.trace) {
@@ -30,6 +36,40 @@ std::string trace_rows(int frame, const sdp_penalty::Summary& summary) {
     text.append(1, ',').append(std::to_string(row.infeasible)).append(1, '\n');
   }
   return text;
+}
+
+std::string rival_rows(int frame, const baselines::Result& rival) {
+  std::string text;
+  for (const baselines::Point& point : rival.trace) {
+    const baselines::Measures& m = point.measures;
+    text.append(std::to_string(frame)).append(1, ',').append(std::to_string(point.iteration));
+    for (const double value : {point.seconds, m.energy, m.min_eigenvalue, m.min_determinant, m.distortion})
+      text.append(1, ',').append(exact_text(value));
+    text.append(1, ',').append(std::to_string(m.inverted));
+    text.append(1, ',').append(std::to_string(m.infeasible)).append(1, '\n');
+  }
+  return text;
+}
+
+Json rival_json(const std::string& name, const baselines::Result& r) {
+  return {{"status", baselines::status_name(r.status)},
+          {"certified", false},
+          {"message", r.message},
+          {"solver", name},
+          {"iterations", r.iterations},
+          {"linear_solves", r.linear_solves},
+          {"energy", r.measures.energy},
+          {"elastic_energy", r.measures.energy - r.measures.target_energy},
+          {"target_energy", r.measures.target_energy},
+          {"distortion", r.measures.distortion},
+          {"lower_bound", r.lower_bound},
+          {"peak_megabytes", r.peak_megabytes},
+          {"solver_seconds",
+           {{"modelling", r.seconds.modelling},
+            {"solving", r.seconds.solving},
+            {"reading", r.seconds.reading},
+            {"total", r.seconds.total()}}},
+          {"suspects", Json::array()}};
 }
 
 Json solve_json(const Body& body, const sdp_penalty::Summary& s) {
@@ -101,8 +141,8 @@ int count(const Json& frames, const char* status) {
   return count_frames(frames, [&](const Json& f) { return is_solved(f) && f["status"] == status; });
 }
 
-int uncertified(const Result& r) {
-  return count_frames(r.frames, [](const Json& f) { return is_solved(f) && !f["certified"].get<bool>(); });
+int not_reached(const Result& r) {
+  return count_frames(r.frames, [](const Json& f) { return is_solved(f) && !f["reached"].get<bool>(); });
 }
 
 int inverted(const Result& r) {
@@ -136,7 +176,9 @@ void add_frame(Result& result, const FrameResult& frame, const Shape& before, co
                const std::string& file) {
   Json json{{"frame", frame.frame}, {"time", frame.time}};
   if (frame.made()) json["file"] = file;
-  json.update(solve_json(result.body, frame.summary));
+  json.update(frame.rival ? rival_json(result.scene.rival, *frame.rival)
+                          : solve_json(result.body, frame.summary));
+  json["reached"] = frame.reached();
   if (!frame.rounds.empty()) json["rounds"] = rounds_json(frame.rounds);
   json["seconds"] = frame.seconds;
   if (frame.made()) {
@@ -146,15 +188,16 @@ void add_frame(Result& result, const FrameResult& frame, const Shape& before, co
     json["not_psd"] = after.indefinite;
     json["min_eigenvalue"] = least(after.eigenvalues);
   } else {
-    json["status"] = "failed";
-    json["message"] = frame.trouble;
+    if (!frame.rival) {
+      json["status"] = "failed";
+      json["message"] = frame.trouble;
+    }
+    json["reached"] = false;
   }
   result.frames.push_back(std::move(json));
-  if (result.trace.empty())
-    result.trace =
-        "frame,iteration,seconds,energy,lower_bound,gap,min_eigenvalue,complementarity,penalty_factor,step,"
-        "inverted,infeasible\n";
-  result.trace += trace_rows(frame.frame, frame.summary);
+  if (result.trace.empty()) result.trace = frame.rival ? rival_head : trace_head;
+  result.trace +=
+      frame.rival ? rival_rows(frame.frame, *frame.rival) : trace_rows(frame.frame, frame.summary);
 }
 
 void add_rest_frame(Result& result, const StrainField& strain, const std::string& file) {
@@ -165,7 +208,7 @@ void add_rest_frame(Result& result, const StrainField& strain, const std::string
 
 ExitCode exit_code(const Result& r) {
   if (inverted(r) > 0 || failed(r) > 0) return ExitCode::solver_failed;
-  return r.outcome == Outcome::finished && uncertified(r) == 0 ? ExitCode::success : ExitCode::not_converged;
+  return r.outcome == Outcome::finished && not_reached(r) == 0 ? ExitCode::success : ExitCode::not_converged;
 }
 
 std::string verdict(const Result& r) {
@@ -173,11 +216,11 @@ std::string verdict(const Result& r) {
   if (r.outcome == Outcome::stopped) parts.push_back(r.message);
   name_first(
       r, parts,
-      [](const Json& f) { return is_solved(f) && !f["certified"].get<bool>() && f["status"] != "callback"; },
+      [](const Json& f) { return is_solved(f) && !f["reached"].get<bool>() && f["status"] != "callback"; },
       [&](const Json& f) {
         std::string text = f["status"].get<std::string>() + ": " + f["message"].get<std::string>();
         if (!f["suspects"].empty()) text += "; look at " + f["suspects"][0].get<std::string>();
-        return "is not certified (" + text + ")";
+        return (r.scene.rival.empty() ? "is not certified (" : "is not solved (") + text + ")";
       });
   name_first(
       r, parts, [](const Json& f) { return f.value("inverted", 0) > 0; },
@@ -185,7 +228,9 @@ std::string verdict(const Result& r) {
         return formatted("has %d inverted element(s), the worst is ", f["inverted"].get<int>()) +
                r.body.element_text(f["min_det_F_element"].get<int>());
       });
-  if (parts.empty()) return "all frames are certified, no element is inverted";
+  if (parts.empty())
+    return r.scene.rival.empty() ? "all frames are certified, no element is inverted"
+                                 : "all frames are solved by " + r.scene.rival + ", no element is inverted";
   std::string text;
   for (const std::string& part : parts) text.append(text.empty() ? "" : "; ").append(part);
   return text;
@@ -220,7 +265,7 @@ Json totals_json(const Result& r) {
 
 Json summary_json(const Result& r, const PhaseSeconds& seconds) {
   return {{"outcome", r.outcome == Outcome::finished ? "finished" : "stopped"},
-          {"certified", r.outcome == Outcome::finished && uncertified(r) == 0},
+          {"certified", r.scene.rival.empty() && r.outcome == Outcome::finished && not_reached(r) == 0},
           {"message", verdict(r)},
           {"totals", totals_json(r)},
           {"seconds",
@@ -233,7 +278,8 @@ Json summary_json(const Result& r, const PhaseSeconds& seconds) {
           {"handles", handles_json(r.rig)},
           {"handle_weights", weights_json(r.rotations, seconds.weights)},
           {"blend", r.rotations.weights() ? Json(name_of(blend_names, r.scene.blend)) : Json()},
-          {"method", sdp_penalty::method_name(r.scene.solver.method)},
+          {"method", r.scene.rival.empty() ? std::string(sdp_penalty::method_name(r.scene.solver.method))
+                                           : r.scene.rival},
           {"warnings", r.warnings},
           {"frames", r.frames},
           {"scene", r.scene.json},

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <string>
 
 namespace isostretch::app::manipulate {
 
@@ -68,6 +69,7 @@ struct Scene {
   Rotations rotations = Rotations::biharmonic;
   handles::RotationBlend blend = handles::RotationBlend::angle;
   sdp_penalty::Options solver = {};
+  std::string rival = {};  // solver of `baselines` in its place; empty: none
   FrameFormat format = FrameFormat::vtu;
   int up = -1;  // of pictures; -1: guessed
 };

@@ -6,6 +6,8 @@
 #include "common/handle_reader.hpp"
 #include "common/json_value.hpp"
 
+#include <isostretch/baselines/solver.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -53,6 +55,18 @@ void read_solver(const JsonValue& scene, sdp_penalty::Options& options) {
   options.validate();
 }
 
+void read_rival(const JsonValue& scene, Scene& result) {
+  const auto solver = scene.find("solver");
+  if (!solver) return;
+  result.rival = solver->text();
+  std::vector<std::string> names;
+  for (const baselines::SolverInfo& info : baselines::solvers()) names.emplace_back(info.name);
+  if (std::find(names.begin(), names.end(), result.rival) == names.end())
+    solver->fail("must be one of " + listed(names));
+  for (const char* key : {"method", "penalty", "relinearize"})
+    if (scene.has(key)) scene.at(key).fail("does not go with a solver");
+}
+
 void read_rotations(const JsonValue& scene, int dim, Scene& result) {
   if (const auto rotations = scene.find("rotations")) result.rotations = rotations->choice(rotations_names);
   result.blend = handles::default_blend(dim);
@@ -80,7 +94,8 @@ std::vector<std::string> scene_keys() {
           "up",
           "penalty",
           "largest_stretch",
-          "relinearize"};
+          "relinearize",
+          "solver"};
 }
 
 std::optional<PhotoSpec> read_photo_spec(const Json& json, const std::filesystem::path& folder) {
@@ -139,6 +154,7 @@ Scene read_scene(const Json& json, int dim) {
   if (dim != 2 && scene.has("photo")) scene.at("photo").fail("pictures are drawn on bodies in the plane");
   read_rotations(scene, dim, result);
   read_solver(scene, result.solver);
+  read_rival(scene, result);
   if (std::isfinite(result.largest_stretch) && result.solver.method != sdp_penalty::Method::interior_point)
     scene.at("largest_stretch").fail("is known to the method interior_point alone");
   if (result.relinearize > 0 && result.solver.method == sdp_penalty::Method::skinning)

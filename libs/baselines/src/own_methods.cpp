@@ -64,7 +64,7 @@ Vector by_penalty(const Instance& instance, const Options& options, Recorder& re
 std::vector<Entry> own_methods() {
   constexpr std::string_view paper = "Liu, Gao, Zhu, Sifakis, Kavan 2016";
   return {
-      {{"interior_point", "interior point", "isostretch: Nesterov-Todd, Mehrotra", Kind::convex, {}},
+      {{"interior_point", "interior point", "isostretch: Nesterov-Todd, Mehrotra", Kind::convex, {}, true},
        by_method<Method::interior_point>},
       {{"penalty", "quadratic penalty", paper, Kind::convex, {}}, by_penalty<Penalty::quadratic, false>},
       {{"penalty_cubic", "cubic penalty", paper, Kind::convex, {}}, by_penalty<Penalty::cubic, false>},

@@ -49,6 +49,8 @@ bool Recorder::record(const Vector& x, int iteration) {
   result_.trace.push_back(point);
   if (callback_ && callback_(point, x) == CallbackAction::stop)
     end(Status::callback, "stopped by the callback");
+  if (stops_without_inversions_ && point.measures.inverted == 0)
+    end(Status::converged, "no element is inverted");
   timer_ = Timer();
   return may_go_on();
 }

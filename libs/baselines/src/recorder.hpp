@@ -27,6 +27,10 @@ class Recorder {
   double seconds() const;       // so far
   double seconds_left() const;  // infinity without a limit
   int points() const { return static_cast<int>(result_.trace.size()); }
+  // Of the last iterate; there must be one.
+  const Measures& last() const { return result_.trace.back().measures; }
+  // From here on an iterate without inverted elements ends the run as converged.
+  void stop_without_inversions() { stops_without_inversions_ = true; }
 
   bool ended() const { return result_.status != Status::not_run; }
   // The first reason stays.
@@ -46,6 +50,7 @@ class Recorder {
   Result result_;
   Timer timer_;  // since the last entry in the books
   double* phase_ = nullptr;
+  bool stops_without_inversions_ = false;
 };
 
 }  // namespace isostretch::baselines

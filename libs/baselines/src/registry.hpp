@@ -20,5 +20,12 @@ struct Entry {
 // Each in its own file, as many entries as it has variants; those of one that was not found when this was
 // built say so in `needs`.
 std::vector<Entry> own_methods();
+std::vector<Entry> relinearized();
+std::vector<Entry> determinant_penalty();
+std::vector<Entry> locally_injective();
+std::vector<Entry> bounded_distortion();
+std::vector<Entry> foldover_free();
+std::vector<Entry> lifted_content();
+std::vector<Entry> sdp_programs();
 
 }  // namespace isostretch::baselines

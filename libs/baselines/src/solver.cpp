@@ -13,7 +13,8 @@ namespace {
 
 std::vector<Entry> registry() {
   std::vector<Entry> all;
-  for (const auto& family : {own_methods})
+  for (const auto& family : {own_methods, sdp_programs, relinearized, bounded_distortion,
+                             determinant_penalty, locally_injective, foldover_free, lifted_content})
     for (Entry& entry : family()) all.push_back(std::move(entry));
   return all;
 }
@@ -53,6 +54,10 @@ Result solve(std::string_view solver, const Instance& instance, const Options& o
   Recorder recorder(instance, options, callback);
   if (!entry.info.available()) {
     recorder.end(Status::unavailable, entry.info.needs);
+    return recorder.finish({});
+  }
+  if (instance.problem.bounds_stretch() && !entry.info.bounds_stretch) {
+    recorder.end(Status::unsuited, "it does not know largest_stretch");
     return recorder.finish({});
   }
   Vector x;

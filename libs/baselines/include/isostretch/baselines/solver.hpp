@@ -42,7 +42,8 @@ struct SolverInfo {
   std::string_view title;   // as in a table
   std::string_view source;  // paper or program
   Kind kind = Kind::convex;
-  std::string needs;  // what is missing for it to run; empty where it can
+  std::string needs;            // what is missing for it to run; empty where it can
+  bool bounds_stretch = false;  // knows Problem::largest_stretch; the others are `unsuited` for it
   bool available() const { return needs.empty(); }
 };
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "common/figures/canvas.hpp"
+
+#include <string>
+#include <vector>
+
+namespace isostretch::app::figures {
+
+// One quantity of every method against one other; a curve a method, empty where there is none.
+struct ComparisonPanel {
+  std::string title;
+  std::string x_label;
+  bool logarithmic_x = false, logarithmic_y = false;
+  // In units of the quantities. On logarithmic axes values that are not positive are drawn at the lower edge.
+  std::vector<std::vector<Point>> curves;
+};
+
+// Panels of equal size in rows of `columns`, and the methods' names with their colours on the right; as the
+// bytes of a PNG file. A ring marks where a curve ends.
+std::string draw_comparison(const std::string& title, const std::string& subtitle,
+                            const std::vector<std::string>& names, const std::vector<ComparisonPanel>& panels,
+                            int columns);
+
+}  // namespace isostretch::app::figures

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <isostretch/assembly/hessian_pattern.hpp>
+#include <isostretch/newton/term.hpp>
+#include <isostretch/sdp_penalty/problem.hpp>
+
+#include <vector>
+
+namespace isostretch::baselines {
+
+// sum w_i |F_i - M_i|^2 + kappa/2 sum (tr(R_i^T F_i) - dim)^2 with a matrix M_i for every element, at first
+// its ex-rotation R_i: then this is the elastic energy of the convex problem. Quadratic; the problem must
+// outlive it.
+class NearestMatrixTerm final : public newton::Term {
+ public:
+  explicit NearestMatrixTerm(const sdp_penalty::Problem& problem);
+
+  // [element][dim * dim] row by row.
+  void set_matrices(std::vector<double> matrices) { matrices_ = std::move(matrices); }
+
+  void add_to(assembly::PatternBuilder& builder) const override;
+  void bind(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
+  newton::Evaluation value(const Vector& x) override;
+  newton::Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
+                                   bool hessian) override;
+  void add_hessian(double* values) const override;
+
+ private:
+  struct Element;
+  double accumulate(const Vector& x, Vector* gradient) const;
+
+  const sdp_penalty::Problem& problem_;
+  std::vector<double> matrices_;
+  const assembly::HessianPattern* pattern_ = nullptr;
+};
+
+}  // namespace isostretch::baselines
