@@ -77,6 +77,9 @@ std::vector<Entry> own_methods() {
         Kind::convex,
         {}},
        by_method<Method::augmented_lagrangian>},
+      {{"spectral_sdp", "Spectral SDP", "Apkarian, Noll, Thevenet, Tuan 2004", Kind::convex, {}},
+       by_method<Method::spectral_sdp>},
+      {{"pennon", "PENNON", "Kocvara, Stingl 2003", Kind::convex, {}}, by_method<Method::pennon>},
   };
 }
 

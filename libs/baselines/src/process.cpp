@@ -5,7 +5,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -92,51 +91,91 @@ std::vector<std::string> environment_strings(const Command& command) {
   return strings;
 }
 
-// What the new process does before it becomes the program.
-class Preparation {
+// A pipe through which a new process says why it could not become the program; it closes when it did.
+class FailurePipe {
  public:
-  Preparation() {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawnattr_init(&attributes_);
+  FailurePipe() {
+    if (pipe2(ends_, O_CLOEXEC) != 0) fail("cannot make a pipe", errno);
   }
-  ~Preparation() {
-    posix_spawn_file_actions_destroy(&actions_);
-    posix_spawnattr_destroy(&attributes_);
+  ~FailurePipe() {
+    close(ends_[0]);
+    close_writing();
   }
-  Preparation(const Preparation&) = delete;
-  Preparation& operator=(const Preparation&) = delete;
+  FailurePipe(const FailurePipe&) = delete;
+  FailurePipe& operator=(const FailurePipe&) = delete;
 
-  void connect(const OutputFile& output, const OutputFile& errors) {
-    require(posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0));
-    require(posix_spawn_file_actions_adddup2(&actions_, output.descriptor(), STDOUT_FILENO));
-    require(posix_spawn_file_actions_adddup2(&actions_, errors.descriptor(), STDERR_FILENO));
+  int writing() const { return ends_[1]; }
+  void close_writing() {
+    if (ends_[1] >= 0) close(ends_[1]);
+    ends_[1] = -1;
   }
-  void change_folder(const std::filesystem::path& folder) {
-    if (!folder.empty()) require(posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str()));
+  // 0: it is the program.
+  int error() const {
+    int error = 0;
+    ssize_t count = 0;
+    do {
+      count = read(ends_[0], &error, sizeof error);
+    } while (count < 0 && errno == EINTR);
+    return count == sizeof error ? error : 0;
   }
-  // A group of its own, and signals as a program expects them: none blocked, none ignored.
-  void make_independent() {
-    sigset_t none, all;
-    sigemptyset(&none);
-    sigfillset(&all);
-    require(posix_spawnattr_setpgroup(&attributes_, 0));
-    require(posix_spawnattr_setsigmask(&attributes_, &none));
-    require(posix_spawnattr_setsigdefault(&attributes_, &all));
-    require(posix_spawnattr_setflags(&attributes_,
-                                     POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF));
-  }
-
-  const posix_spawn_file_actions_t* actions() const { return &actions_; }
-  const posix_spawnattr_t* attributes() const { return &attributes_; }
 
  private:
-  static void require(int error) {
-    if (error != 0) fail("cannot prepare a process", error);
-  }
-
-  posix_spawn_file_actions_t actions_;
-  posix_spawnattr_t attributes_;
+  int ends_[2] = {-1, -1};
 };
+
+// All that the new process needs, made before it: as a copy of one thread of a caller with many it may
+// neither allocate nor lock.
+struct Plan {
+  const char* file;
+  const char* folder;  // nullptr: stay
+  char* const* arguments;
+  char* const* environment;
+  int output, errors, failure;
+  double megabytes;
+};
+
+bool limit_memory(double megabytes) {
+  if (!(megabytes > 0)) return true;
+  rlimit limit;
+  if (getrlimit(RLIMIT_AS, &limit) != 0) return false;
+  // The caller's own limit cannot be raised.
+  limit.rlim_max = std::min(static_cast<rlim_t>(megabytes * bytes_per_megabyte), limit.rlim_max);
+  limit.rlim_cur = limit.rlim_max;
+  return setrlimit(RLIMIT_AS, &limit) == 0;
+}
+
+// Signals as a program expects them: none ignored, none blocked.
+bool reset_signals() {
+  struct sigaction by_default {};
+  by_default.sa_handler = SIG_DFL;
+  for (int number = 1; number < NSIG; ++number) sigaction(number, &by_default, nullptr);
+  sigset_t none;
+  sigemptyset(&none);
+  return sigprocmask(SIG_SETMASK, &none, nullptr) == 0;
+}
+
+bool connect_streams(const Plan& plan) {
+  const int nothing = open("/dev/null", O_RDONLY);
+  return nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 && dup2(plan.output, STDOUT_FILENO) >= 0 &&
+         dup2(plan.errors, STDERR_FILENO) >= 0;
+}
+
+// In the new process. Returns only where it cannot be done; only what is safe in a signal handler is called.
+void become(const Plan& plan) {
+  if (setpgid(0, 0) == 0 && reset_signals() && connect_streams(plan) &&
+      (!plan.folder || chdir(plan.folder) == 0) && limit_memory(plan.megabytes))
+    execve(plan.file, plan.arguments, plan.environment);
+}
+
+pid_t start(const Plan& plan) {
+  const pid_t process = fork();
+  if (process != 0) return process;
+  become(plan);
+  const int error = errno;
+  [[maybe_unused]] const ssize_t written = write(plan.failure, &error, sizeof error);
+  kill(getpid(), SIGKILL);  // not exit: nothing that the caller has registered for its own end may run
+  return 0;
+}
 
 double own_peak_megabytes() {
   rusage usage;
@@ -155,26 +194,22 @@ double resident_peak_megabytes(pid_t process) {
 // A group of processes, with the program that leads it. Nothing of it survives this object.
 class ProcessGroup {
  public:
-  ProcessGroup(const std::filesystem::path& program, const Command& command, const Preparation& preparation)
-      : caller_megabytes_(own_peak_megabytes()) {
-    StringTable arguments(argument_strings(command)), environment(environment_strings(command));
-    const int error = posix_spawn(&leader_, program.c_str(), preparation.actions(), preparation.attributes(),
-                                  arguments.data(), environment.data());
-    if (error != 0) fail("cannot start " + command.program, error);
+  ProcessGroup(Plan plan, const std::string& name) : caller_megabytes_(own_peak_megabytes()) {
+    FailurePipe failure;
+    plan.failure = failure.writing();
+    leader_ = start(plan);
+    if (leader_ < 0) fail("cannot start " + name, errno);
+    failure.close_writing();
+    if (const int error = failure.error(); error != 0) {
+      end();
+      fail("cannot start " + name, error);
+    }
   }
   ~ProcessGroup() {
     if (!ended_) end();
   }
   ProcessGroup(const ProcessGroup&) = delete;
   ProcessGroup& operator=(const ProcessGroup&) = delete;
-
-  // From outside, a moment after the start: that is in time, for memory taken before counts as well, and
-  // nothing then has to be done between fork and exec.
-  void limit_memory(double megabytes) const {
-    const auto bytes = static_cast<rlim_t>(megabytes * bytes_per_megabyte);
-    const rlimit limit{bytes, bytes};
-    prlimit(leader_, RLIMIT_AS, &limit, nullptr);
-  }
 
   bool running() {
     sampled_megabytes_ = std::max(sampled_megabytes_, resident_peak_megabytes(leader_));
@@ -278,14 +313,19 @@ ProcessResult run_process(const Command& command, const ProcessLimits& limits, c
     return name.empty() ? name : command.folder / name;
   };
   const OutputFile output(in_folder(command.output_file)), errors(in_folder(command.errors_file));
-  Preparation preparation;
-  preparation.connect(output, errors);
-  preparation.change_folder(command.folder);
-  preparation.make_independent();
+  StringTable arguments(argument_strings(command)), environment(environment_strings(command));
+  const std::filesystem::path file = file_of(command.program);
   ProcessResult result;
   {
-    ProcessGroup group(file_of(command.program), command, preparation);
-    if (limits.megabytes > 0) group.limit_memory(limits.megabytes);
+    ProcessGroup group({.file = file.c_str(),
+                        .folder = command.folder.empty() ? nullptr : command.folder.c_str(),
+                        .arguments = arguments.data(),
+                        .environment = environment.data(),
+                        .output = output.descriptor(),
+                        .errors = errors.descriptor(),
+                        .failure = -1,
+                        .megabytes = limits.megabytes},
+                       command.program);
     supervise(group, limits, may_go_on, result);
   }
   result.output = output.text();

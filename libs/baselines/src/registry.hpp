@@ -27,5 +27,6 @@ std::vector<Entry> bounded_distortion();
 std::vector<Entry> foldover_free();
 std::vector<Entry> lifted_content();
 std::vector<Entry> sdp_programs();
+std::vector<Entry> ipopt_solvers();
 
 }  // namespace isostretch::baselines

@@ -1,5 +1,7 @@
 #include "sdpa_format.hpp"
 
+#include "corners.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -12,24 +14,6 @@
 
 namespace isostretch::baselines {
 namespace {
-
-// One element's corners, as rows of gradients and first entries in x.
-struct Corners {
-  Corners(const sdp_penalty::Problem& problem, int element)
-      : dim(problem.dim()),
-        node(problem.elements.nodes.data() + element * (dim + 1)),
-        gradient(problem.elements.gradients.data() + element * (dim + 1) * dim),
-        rotation(problem.rotations.data() + element * dim * dim) {}
-
-  double g(int a, int c) const { return gradient[a * dim + c]; }
-  double R(int r, int c) const { return rotation[r * dim + c]; }
-  int dof(int a, int r) const { return node[a] * dim + r; }
-
-  int dim;
-  const int* node;
-  const double* gradient;
-  const double* rotation;
-};
 
 // Every double as the shortest text that reads back as itself.
 void append(std::string& line, double value) {
@@ -117,8 +101,7 @@ void SemidefiniteProgram::add_constraint(const sdp_penalty::Problem& problem, in
     for (int j = i; j < dim; ++j)
       for (int a = 0; a <= dim; ++a)
         for (int r = 0; r < dim; ++r)
-          add_term(block, i, j, corners.dof(a, r),
-                   0.5 * (corners.R(r, i) * corners.g(a, j) + corners.R(r, j) * corners.g(a, i)));
+          add_term(block, i, j, corners.dof(a, r), corners.constraint_coefficient(i, j, a, r));
   }
 }
 
@@ -140,11 +123,8 @@ void SemidefiniteProgram::add_volume_term(const sdp_penalty::Problem& problem, i
   const double root = std::sqrt(problem.incompressibility / 2);
   add_constant(block, 0, 1, -root * dim);
   for (int a = 0; a <= dim; ++a)
-    for (int r = 0; r < dim; ++r) {
-      double rotated = 0;
-      for (int c = 0; c < dim; ++c) rotated += corners.R(r, c) * corners.g(a, c);
-      add_term(block, 0, 1, corners.dof(a, r), root * rotated);
-    }
+    for (int r = 0; r < dim; ++r)
+      add_term(block, 0, 1, corners.dof(a, r), root * corners.rotated_gradient(a, r));
 }
 
 // Singular values are those of F_i, whose entries have fewer terms than those of R_i^T F_i.

@@ -13,7 +13,7 @@ namespace {
 
 std::vector<Entry> registry() {
   std::vector<Entry> all;
-  for (const auto& family : {own_methods, sdp_programs, relinearized, bounded_distortion,
+  for (const auto& family : {own_methods, sdp_programs, ipopt_solvers, relinearized, bounded_distortion,
                              determinant_penalty, locally_injective, foldover_free, lifted_content})
     for (Entry& entry : family()) all.push_back(std::move(entry));
   return all;

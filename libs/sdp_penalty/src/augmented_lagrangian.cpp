@@ -1,5 +1,6 @@
 #include "methods.hpp"
 #include "path.hpp"
+#include "spectral.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -11,7 +12,8 @@ void augmented_lagrangian(Workspace& work, const Options& options, Progress& pro
   constexpr int most_rounds = 1000;  // where rounds no longer move anything
   const bool warm = own.warm_start && work.last_Y.size() > 0;
   Blocks Y(work.system.blocks() * work.system.block_size(), 0.0), shift(Y.size());
-  SpectralPenalty penalty;
+  SpectralTerm term;
+  SpectralPenalty& penalty = term.penalty;
   penalty.tau = own.first;
   double epsilon = own.epsilon;
   penalty.offset = work.system.problem().margin + epsilon;
@@ -26,7 +28,7 @@ void augmented_lagrangian(Workspace& work, const Options& options, Progress& pro
   double violation = std::numeric_limits<double>::infinity();
   for (int round = 0; round < most_rounds && !progress.ended(); ++round) {
     for (std::size_t k = 0; k < Y.size(); ++k) shift[k] = Y[k] / (2 * penalty.tau);
-    path.minimise(penalty, tolerance);
+    path.minimise(term, tolerance);
     tolerance = std::max(0.1 * tolerance, 1e-14);  // multipliers are as good as the minimiser is
     Y = path.multiplier();
     const double left = std::max(0.0, penalty.offset - progress.last().min_eigenvalue);

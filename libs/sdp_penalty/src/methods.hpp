@@ -8,5 +8,7 @@ namespace isostretch::sdp_penalty {
 void interior_point(Workspace& work, const Options& options, Progress& progress, Vector& x);
 void penalty_path(Workspace& work, const Options& options, Progress& progress, Vector& x);
 void augmented_lagrangian(Workspace& work, const Options& options, Progress& progress, Vector& x);
+void spectral_sdp(Workspace& work, const Options& options, Progress& progress, Vector& x);
+void pennon(Workspace& work, const Options& options, Progress& progress, Vector& x);
 
 }  // namespace isostretch::sdp_penalty

@@ -62,6 +62,10 @@ std::string_view method_name(Method method) noexcept {
       return "augmented_lagrangian";
     case Method::penalty:
       return "penalty";
+    case Method::spectral_sdp:
+      return "spectral_sdp";
+    case Method::pennon:
+      return "pennon";
     case Method::skinning:
       return "skinning";
   }
@@ -90,7 +94,8 @@ Penalty penalty_from_name(std::string_view name) {
 
 const std::vector<Method>& all_methods() {
   static const std::vector<Method> methods{Method::interior_point, Method::augmented_lagrangian,
-                                           Method::penalty, Method::skinning};
+                                           Method::penalty,        Method::spectral_sdp,
+                                           Method::pennon,         Method::skinning};
   return methods;
 }
 

@@ -19,18 +19,18 @@ Path::Path(Workspace& work, const Options& options, Progress& progress, Vector& 
   work_.system.constraints(x_, S_);
 }
 
-Path::End Path::minimise(const SpectralPenalty& penalty, double tolerance) {
-  penalty_ = penalty;
+Path::End Path::minimise(const ConePenalty& penalty, double tolerance) {
+  penalty_ = &penalty;
   return minimise(false, tolerance);
 }
 
-Path::End Path::minimise_as_published(const SpectralPenalty& penalty) {
-  penalty_ = penalty;
+Path::End Path::minimise_as_published(const ConePenalty& penalty) {
+  penalty_ = &penalty;
   return minimise(true, 0);
 }
 
 Path::End Path::minimise(bool published, double tolerance) {
-  evaluate(penalty_, work_.system.dim(), S_, state_);
+  penalty_->evaluate(work_.system.dim(), S_, state_);
   for (int i = 0; i < options_.penalty.level_iterations; ++i) {
     if (!newton_step()) return End::progress;
     if (published && decrement_ < published_decrement) return End::tolerance;
@@ -46,10 +46,10 @@ Path::End Path::minimise(bool published, double tolerance) {
 void Path::take_step() {
   x_ += step_ * dx_;
   work_.system.constraints(x_, S_);
-  evaluate(penalty_, work_.system.dim(), S_, state_);
+  penalty_->evaluate(work_.system.dim(), S_, state_);
   progress_.count_iteration();
   Iteration row;
-  row.penalty_factor = penalty_.tau;
+  row.penalty_factor = penalty_->stiffness();
   row.step = step_;
   progress_.record(row, x_, {S_, {}}, {state_.multiplier, {}});
 }
@@ -82,7 +82,7 @@ bool Path::newton_step() {
 // Of sums of penalties: eigenvalues y carry rounding errors of the size of S, and phi those that follow.
 double Path::noise() const {
   const double S = 1 + state_.largest, count = state_.active() + 1;
-  return penalty_.tau * count * (unit * S) * (unit * S) + 8 * unit * std::abs(state_.sum());
+  return penalty_->stiffness() * count * (unit * S) * (unit * S) + 8 * unit * std::abs(state_.sum());
 }
 
 double Path::decrement_to_reach(double tolerance) const {
@@ -94,7 +94,7 @@ double Path::decrement_to_reach(double tolerance) const {
 double Path::change(double step) const {
   Blocks S = S_;
   for (std::size_t k = 0; k < S.size(); ++k) S[k] += step * change_of_S_[k];
-  const std::vector<double> after = values(penalty_, work_.system.dim(), S);
+  const std::vector<double> after = penalty_->values(work_.system.dim(), S);
   double sum = work_.system.change_of_objective(progress_.gradient(), dx_, step);
   for (std::size_t e = 0; e < after.size(); ++e) sum += after[e] - state_.value[e];
   return sum;
@@ -106,7 +106,7 @@ double Path::change_of_sums(double step) const {
   Blocks S;
   system.constraints(x, S);
   double after = energy(system.problem(), x);
-  for (const double value : values(penalty_, system.dim(), S)) after += value;
+  for (const double value : penalty_->values(system.dim(), S)) after += value;
   return after - (energy(system.problem(), x_) + state_.sum());
 }
 

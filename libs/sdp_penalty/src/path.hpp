@@ -1,12 +1,12 @@
 #pragma once
 
+#include "cone_penalty.hpp"
 #include "progress.hpp"
-#include "spectral.hpp"
 
 namespace isostretch::sdp_penalty {
 
 // Minimises f + phi from x by Newton's method, one penalty after the other: what the penalty path and the
-// augmented Lagrangian share.
+// augmented Lagrangians share.
 class Path {
  public:
   // x must satisfy hard targets. It becomes each iterate in turn.
@@ -20,9 +20,9 @@ class Path {
 
   // Until the decrement is this share of the energy, or, where x is feasible and only the gap is left to
   // close, in the noise of rounding.
-  End minimise(const SpectralPenalty& penalty, double tolerance);
+  End minimise(const ConePenalty& penalty, double tolerance);
   // Until g^T H^-1 g < 1e-14, with Armijo's rule on sums.
-  End minimise_as_published(const SpectralPenalty& penalty);
+  End minimise_as_published(const ConePenalty& penalty);
 
   // Of the last penalty at x.
   const Blocks& multiplier() const { return state_.multiplier; }
@@ -41,8 +41,8 @@ class Path {
   const Options& options_;
   Progress& progress_;
   Vector& x_;
-  SpectralPenalty penalty_;
-  SpectralState state_;
+  const ConePenalty* penalty_ = nullptr;
+  PenaltyState state_;
   Blocks S_, change_of_S_;
   Vector gradient_, dx_;
   double decrement_ = 0, step_ = 0;

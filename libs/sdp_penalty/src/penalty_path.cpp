@@ -1,5 +1,6 @@
 #include "methods.hpp"
 #include "path.hpp"
+#include "spectral.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +34,8 @@ double last_factor(const PenaltyOptions& options) {
 void penalty_path(Workspace& work, const Options& options, Progress& progress, Vector& x) {
   const PenaltyOptions& path_options = options.penalty;
   Path path(work, options, progress, x);
-  SpectralPenalty penalty;
+  SpectralTerm term;
+  SpectralPenalty& penalty = term.penalty;
   penalty.kind = path_options.penalty;
   double epsilon = path_options.epsilon;
   penalty.offset = work.system.problem().margin + epsilon;
@@ -41,8 +43,8 @@ void penalty_path(Workspace& work, const Options& options, Progress& progress, V
   int unfinished = 0;
   for (penalty.tau = std::min(first_factor(path_options), last);;
        penalty.tau = std::min(penalty.tau * growth(path_options), last)) {
-    const Path::End end = path_options.as_published ? path.minimise_as_published(penalty)
-                                                    : path.minimise(penalty, level_tolerance);
+    const Path::End end =
+        path_options.as_published ? path.minimise_as_published(term) : path.minimise(term, level_tolerance);
     if (end == Path::End::progress) return;
     if (end == Path::End::limit) ++unfinished;
     if (penalty.tau >= last) break;

@@ -98,6 +98,12 @@ Summary Solver::solve_here(const Problem& problem, Vector& x, const IterationCal
       case Method::augmented_lagrangian:
         augmented_lagrangian(work, options_, progress, x);
         break;
+      case Method::spectral_sdp:
+        spectral_sdp(work, options_, progress, x);
+        break;
+      case Method::pennon:
+        pennon(work, options_, progress, x);
+        break;
       case Method::skinning:
         progress.end(Status::path_end, "the minimiser without constraints");
         break;

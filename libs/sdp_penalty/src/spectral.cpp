@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace isostretch::sdp_penalty {
 namespace {
@@ -57,7 +56,7 @@ Blocks shifted(const SpectralPenalty& penalty, int dim, const Blocks& S) {
 }
 
 template <int D>
-void fill_state(const SpectralPenalty& penalty, const std::vector<double>& y, SpectralState& state) {
+void fill_state(const SpectralPenalty& penalty, const std::vector<double>& y, PenaltyState& state) {
   const std::size_t count = y.size() / D;
 #pragma omp parallel for schedule(static) if (count > least_parallel)
   for (std::size_t e = 0; e < count; ++e) {
@@ -84,14 +83,6 @@ void fill_state(const SpectralPenalty& penalty, const std::vector<double>& y, Sp
 
 }  // namespace
 
-double SpectralState::sum() const {
-  return std::accumulate(value.begin(), value.end(), 0.0);
-}
-
-int SpectralState::active() const {
-  return std::accumulate(curvature.active.begin(), curvature.active.end(), 0);
-}
-
 std::vector<double> values(const SpectralPenalty& penalty, int dim, const Blocks& S) {
   std::vector<double> y;
   block_eigen(dim, shifted(penalty, dim, S), y, nullptr);
@@ -101,14 +92,11 @@ std::vector<double> values(const SpectralPenalty& penalty, int dim, const Blocks
   return result;
 }
 
-void evaluate(const SpectralPenalty& penalty, int dim, const Blocks& S, SpectralState& state) {
+void evaluate(const SpectralPenalty& penalty, int dim, const Blocks& S, PenaltyState& state) {
   std::vector<double> y;
   block_eigen(dim, shifted(penalty, dim, S), y, &state.curvature.Q);
   const std::size_t count = y.size() / static_cast<std::size_t>(dim);
-  state.value.resize(count);
-  state.multiplier.resize(S.size());
-  state.curvature.h.resize(S.size());
-  state.curvature.active.resize(count);
+  state.resize(count, S.size());
   state.largest = 0;
   for (const double v : y) state.largest = std::max(state.largest, std::abs(v));
   if (dim == 2)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "system.hpp"
+#include "cone_penalty.hpp"
 
 #include <isostretch/sdp_penalty/options.hpp>
 
@@ -17,18 +17,21 @@ struct SpectralPenalty {
   const Blocks* shift = nullptr;
 };
 
-// What it is at some S.
-struct SpectralState {
-  std::vector<double> value;  // one an element
-  Blocks multiplier;          // - d phi / d S, positive semi-definite
-  SpectralCurvature curvature;
-  double largest = 0;  // |y|
-
-  double sum() const;
-  int active() const;
-};
-
 std::vector<double> values(const SpectralPenalty& penalty, int dim, const Blocks& S);
-void evaluate(const SpectralPenalty& penalty, int dim, const Blocks& S, SpectralState& state);
+void evaluate(const SpectralPenalty& penalty, int dim, const Blocks& S, PenaltyState& state);
+
+// The same as a term of the path.
+class SpectralTerm final : public ConePenalty {
+ public:
+  SpectralPenalty penalty;
+
+  void evaluate(int dim, const Blocks& S, PenaltyState& state) const override {
+    sdp_penalty::evaluate(penalty, dim, S, state);
+  }
+  std::vector<double> values(int dim, const Blocks& S) const override {
+    return sdp_penalty::values(penalty, dim, S);
+  }
+  double stiffness() const override { return penalty.tau; }
+};
 
 }  // namespace isostretch::sdp_penalty

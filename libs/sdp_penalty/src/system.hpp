@@ -22,7 +22,7 @@ struct Constrained {
 
 // A spectral term's second derivative at every element: sum_jk h_jk (Q^T dS Q)_jk^2.
 struct SpectralCurvature {
-  Blocks Q;                           // orthonormal, vectors in columns
+  Blocks Q;                           // a basis, vectors in columns
   std::vector<double> h;              // dim x dim an element, symmetric, not negative
   std::vector<unsigned char> active;  // 0: nothing here, Q and h are not looked at
 };

@@ -27,7 +27,7 @@ TEST_CASE("reference optima: interior point, both margins") {
   CHECK(references.size() >= 3);
   if (references.size() < 10)
     MESSAGE("seven reference instances are skipped: they are not beside the sources");
-  for (const auto& [name, json, reference] : references) {
+  for (const auto& [name, json, reference, rest] : references) {
     sdp_penalty::Problem problem = reference;
     for (const std::string kind : {"sdp", "sdp_eps"}) {
       CAPTURE(name);
@@ -53,7 +53,7 @@ TEST_CASE("reference optima: interior point, both margins") {
 }
 
 TEST_CASE("reference optima: the penalty path, certified, whichever the penalty") {
-  for (const auto& [name, json, problem] : tests::references())
+  for (const auto& [name, json, problem, rest] : tests::references())
     for (const Penalty penalty : sdp_penalty::all_penalties()) {
       CAPTURE(name);
       CAPTURE(sdp_penalty::penalty_name(penalty));
@@ -72,7 +72,7 @@ TEST_CASE("reference optima: the penalty path, certified, whichever the penalty"
 }
 
 TEST_CASE("reference optima: the whole penalty path reaches the optimum of epsilon to 1e-6") {
-  for (const auto& [name, json, problem] : tests::references()) {
+  for (const auto& [name, json, problem, rest] : tests::references()) {
     CAPTURE(name);
     Options options;
     options.method = Method::penalty;
@@ -89,19 +89,22 @@ TEST_CASE("reference optima: the whole penalty path reaches the optimum of epsil
   }
 }
 
-TEST_CASE("reference optima: the augmented Lagrangian") {
-  for (const auto& [name, json, problem] : tests::references()) {
-    CAPTURE(name);
-    Options options;
-    options.method = Method::augmented_lagrangian;
-    options.gap_tolerance = 1e-6;
-    Vector x;
-    const Summary summary = sdp_penalty::solve(problem, x, options);
-    report(name, summary);
-    CHECK(summary.status == Status::optimal);
-    const double lower = json["sdp"]["E_lower"], upper = json["sdp"]["E_upper"];
-    CHECK(summary.energy >= lower * (1 - 1e-9));
-    CHECK(summary.energy <= upper * (1 + 1e-6));
-    CHECK(summary.inverted == 0);
-  }
+TEST_CASE("reference optima: the augmented Lagrangians") {
+  const auto references = tests::references();
+  for (const Method method : {Method::augmented_lagrangian, Method::spectral_sdp, Method::pennon})
+    for (const auto& [name, json, problem, rest] : references) {
+      CAPTURE(name);
+      CAPTURE(sdp_penalty::method_name(method));
+      Options options;
+      options.method = method;
+      options.gap_tolerance = 1e-6;
+      Vector x;
+      const Summary summary = sdp_penalty::solve(problem, x, options);
+      report(name + " " + std::string(sdp_penalty::method_name(method)), summary);
+      CHECK(summary.status == Status::optimal);
+      const double lower = json["sdp"]["E_lower"], upper = json["sdp"]["E_upper"];
+      CHECK(summary.energy >= lower * (1 - 1e-9));
+      CHECK(summary.energy <= upper * (1 + 1e-6));
+      CHECK(summary.inverted == 0);
+    }
 }

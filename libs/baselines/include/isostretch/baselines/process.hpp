@@ -40,9 +40,9 @@ struct ProcessResult {
 // Asked some twenty times a second; false ends the program.
 using MayGoOn = std::function<bool()>;
 
-// Runs a program in a process group of its own and returns when all of the group is gone. At a limit, or when
-// may_go_on says so, the group gets SIGTERM, and SIGKILL where that is not enough; what the program left
-// behind in its group when it ended is killed too. Signals of the terminal reach the caller alone, which is
+// Runs a program in a process group of its own and returns when it has ended. At a limit, or when may_go_on
+// says so, the group gets SIGTERM, and SIGKILL two seconds later; what a program leaves behind in its group
+// when it ends is killed too. Signals of the terminal reach the caller alone, which is
 // to pass them on through may_go_on. The caller may have threads. Throws Error where the program cannot be
 // started, naming it and the system's reason; what then happens to it is in the result.
 ProcessResult run_process(const Command& command, const ProcessLimits& limits = {},

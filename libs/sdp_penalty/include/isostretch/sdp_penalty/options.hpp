@@ -11,6 +11,8 @@ enum class Method {
   interior_point,        // the default: fewest factorizations, flat in resolution
   augmented_lagrangian,  // needs no large penalty factor; warm starts from the drag before
   penalty,               // Liu et al. 2016: a path of penalty factors
+  spectral_sdp,          // multipliers with a quadratic-logarithmic term (Apkarian et al. 2004)
+  pennon,                // multipliers with a reciprocal barrier (Kocvara, Stingl 2003)
   skinning               // the minimiser without constraints alone (tau = 0): may have inverted elements
 };
 
