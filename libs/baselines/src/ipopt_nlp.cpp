@@ -146,7 +146,7 @@ void IpoptNlp::hessian_values(std::span<const double> x, double objective_factor
 // False where Ipopt has none to show: in its restoration phase it solves another problem.
 bool IpoptNlp::take_iterate(const Ipopt::IpoptData* data, Ipopt::IpoptCalculatedQuantities* quantities) {
   if (!data || !quantities) return false;
-  const auto* nlp = dynamic_cast<Ipopt::OrigIpoptNLP*>(Ipopt::GetRawPtr(quantities->GetIpoptNLP()));
+  auto* nlp = dynamic_cast<Ipopt::OrigIpoptNLP*>(Ipopt::GetRawPtr(quantities->GetIpoptNLP()));
   auto* adapter = nlp ? dynamic_cast<Ipopt::TNLPAdapter*>(Ipopt::GetRawPtr(nlp->nlp())) : nullptr;
   if (!adapter) return false;
   adapter->ResortX(*data->curr()->x(), unknowns_.data());

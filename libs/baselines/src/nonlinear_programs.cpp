@@ -1,7 +1,7 @@
 // Solvers of nonlinear programs: Ipopt and NLopt, in the table also where this is built without them.
 #include "registry.hpp"
 
-#if ISOSTRETCH_WITH_IPOPT
+#if defined(ISOSTRETCH_WITH_IPOPT)
 #include "ipopt_solvers.hpp"
 #endif
 
@@ -13,7 +13,7 @@ constexpr std::string_view ipopt_source = "Waechter, Biegler 2006: filter line s
 }  // namespace
 
 std::vector<Entry> ipopt_solvers() {
-#if ISOSTRETCH_WITH_IPOPT
+#if defined(ISOSTRETCH_WITH_IPOPT)
   const std::string needs;
   const Run minors = run_ipopt, feasible = run_ipopt_feasible, cone = run_ipopt_cone;
 #else
