@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of the run that says what the optimum is.
+// Of the run that says what the optimum is, which no limit of time ends.
 constexpr double reference_gap = 1e-9, loose_gap = 1e-8;
 // Beyond its own time limit a process is given the time to read, to measure and to write.
 constexpr double grace_factor = 1.5, grace_seconds = 30;
@@ -69,6 +69,7 @@ std::vector<TraceRow> trace_of(const fs::path& file) {
 struct Run {
   std::string solver;
   double gap = 0;
+  double time_limit = 0;  // 0: none
   fs::path folder;
 };
 
@@ -157,7 +158,7 @@ class Match {
                          "--frames",
                          frame_text(),
                          "--time-limit",
-                         exact_text(options_.time_limit),
+                         exact_text(run.time_limit),
                          "--memory-limit",
                          exact_text(options_.memory_limit)};
     if (common_.threads > 0)
@@ -183,7 +184,7 @@ class Match {
     fs::remove_all(run.folder);
     fs::create_directories(run.folder);
     baselines::ProcessLimits limits;
-    if (options_.time_limit > 0) limits.seconds = grace_factor * options_.time_limit + grace_seconds;
+    if (run.time_limit > 0) limits.seconds = grace_factor * run.time_limit + grace_seconds;
     limits.megabytes = options_.memory_limit;
     const baselines::ProcessResult result =
         baselines::run_process(command(run), limits, [] { return !interrupted(); });
@@ -194,7 +195,8 @@ class Match {
   Contestant contest(const baselines::SolverInfo& info) const {
     std::vector<Contestant> tries;
     for (int i = 0; i < options_.repetitions && !interrupted(); ++i)
-      tries.push_back(attempt(info, {std::string(info.name), gap(), run_folder(info, i)}));
+      tries.push_back(
+          attempt(info, {std::string(info.name), gap(), options_.time_limit, run_folder(info, i)}));
     std::sort(tries.begin(), tries.end(),
               [](const Contestant& a, const Contestant& b) { return a.seconds < b.seconds; });
     const double least = tries.front().seconds, most = tries.back().seconds;
@@ -279,7 +281,7 @@ class Match {
 
   void find_optimum(Comparison& comparison) const {
     show_progress("the optimum");
-    const Run run{"interior_point", reference_gap, out_ / "runs" / "optimum"};
+    const Run run{"interior_point", reference_gap, 0, out_ / "runs" / "optimum"};
     const auto all = baselines::solvers();
     const auto info =
         std::find_if(all.begin(), all.end(), [&](const auto& i) { return i.name == run.solver; });

@@ -1,0 +1,150 @@
+// Rivals by isostretch-manipulate: one with --solver, many with --compare.
+#include "manipulate_app.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace isostretch::test;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+nlohmann::json contestant(const nlohmann::json& comparison, const std::string& solver) {
+  for (const auto& entry : comparison["solvers"])
+    if (entry["solver"] == solver) return entry;
+  FAIL("there is no ", solver);
+  return {};
+}
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+}  // namespace
+
+TEST_CASE("solver: a rival makes the frames, and the summary has its account") {
+  const Scratch scratch;
+  const Outcome run = manipulate(
+      {write_scene(scratch, swirl(180)), "--solver", "locally_injective", "-o", scratch.path("out")});
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  const auto summary = read_json(scratch.path("out/summary.json"));
+  CHECK(summary["method"] == "locally_injective");
+  CHECK(summary["certified"] == false);
+  const auto& f = summary["frames"][1];
+  CHECK(f["status"] == "converged");
+  CHECK(f["reached"] == true);
+  CHECK(f["inverted"] == 0);
+  CHECK(f["inverted_before"].get<int>() > 0);
+  CHECK(f["distortion"].get<double>() < f["elastic_energy"].get<double>());
+  CHECK(f["solver_seconds"]["solving"].get<double>() > 0);
+  const std::string trace = read_file(scratch.path("out/trace.csv"));
+  CHECK(first_line(trace) ==
+        "frame,iteration,seconds,energy,min_eigenvalue,min_det_F,distortion,inverted,infeasible");
+  CHECK(std::count(trace.begin(), trace.end(), '\n') == f["iterations"].get<long>() + 2);
+  for (const char* file : {"frame_0001.vtu", "manipulate.png", "path.png", "report.html"})
+    CHECK_MESSAGE(std::filesystem::exists(scratch.path(std::string("out/") + file)), file);
+}
+
+TEST_CASE("solver: one that is none for the instance fails the frame by its own words") {
+  const Scratch scratch;
+  const Outcome run = manipulate(
+      {write_scene(scratch, squashed_bar()), "--solver", "lifted_content", "-o", scratch.path("out")});
+  CHECK(run.code == 5);
+  CHECK(run.err.find("it needs a target at every node of the boundary") != std::string::npos);
+  CHECK(read_json(scratch.path("out/summary.json"))["frames"][1]["status"] == "unsuited");
+}
+
+TEST_CASE("solver: what does not go with it, and names there are not") {
+  const Scratch scratch;
+  Json scene = swirl(90);
+  scene["solver"] = "mosek";
+  Outcome run = manipulate({write_scene(scratch, scene), "-o", scratch.path("out")});
+  CHECK(run.code == 3);
+  CHECK(run.err.find("solver: must be one of interior_point") != std::string::npos);
+  scene["solver"] = "penalty";
+  scene["relinearize"] = 3;
+  run = manipulate({write_scene(scratch, scene), "-o", scratch.path("out")});
+  CHECK(run.code == 3);
+  CHECK(run.err.find("relinearize: does not go with a solver") != std::string::npos);
+  run = manipulate({write_scene(scratch, swirl(90)), "--solver", "mosek", "-o", scratch.path("out")});
+  CHECK(run.code == 2);
+  run =
+      manipulate({write_scene(scratch, swirl(90)), "--compare", "penalty,mosek", "-o", scratch.path("out")});
+  CHECK(run.code == 2);
+  CHECK(run.err.find("there is no solver 'mosek'; there are all, convex, nearby, interior_point") !=
+        std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(scratch.path("out")));
+}
+
+TEST_CASE("compare: every solver in a process of its own, one optimum, a table, plots, and a page") {
+  const Scratch scratch;
+  const std::vector<std::string> command{write_scene(scratch, swirl(180)),
+                                         "--compare",
+                                         "interior_point,penalty,foldover_free",
+                                         "--repeat",
+                                         "3",
+                                         "--time-limit",
+                                         "60",
+                                         "-o",
+                                         scratch.path("out")};
+  const Outcome run = manipulate(command);
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  for (const char* file :
+       {"comparison.png", "comparison.csv", "comparison.json", "comparison.html", "scene.json",
+        "runs/penalty/trace.csv", "runs/penalty_3/summary.json", "runs/optimum/summary.json"})
+    CHECK_MESSAGE(std::filesystem::exists(scratch.path(std::string("out/") + file)), file);
+  const auto comparison = read_json(scratch.path("out/comparison.json"));
+  const double optimum = comparison["optimum"];
+  CHECK(comparison["lower_bound"].get<double>() <= optimum);
+  for (const char* solver : {"interior_point", "penalty"}) {
+    const auto entry = contestant(comparison, solver);
+    CHECK(entry["status"] == "converged");
+    CHECK(entry["kind"] == "convex");
+    CHECK(entry["relative_error"].get<double>() < 2e-6);
+    CHECK(entry["inverted"] == 0);
+    CHECK(entry["peak_megabytes"].get<double>() > 1);
+    CHECK(entry["least_seconds"].get<double>() <= entry["seconds"].get<double>());
+    CHECK(entry["seconds"].get<double>() <= entry["most_seconds"].get<double>());
+  }
+  const auto nearby = contestant(comparison, "foldover_free");
+  CHECK(nearby["kind"] == "nearby");
+  CHECK(nearby["relative_error"].is_null());
+  CHECK(nearby["inverted"] == 0);
+  // What is there is not made again, and what depends on something else is.
+  const auto written = [&] {
+    return std::filesystem::last_write_time(scratch.path("out/runs/penalty/summary.json"));
+  };
+  const auto before = written();
+  CHECK(manipulate(command).code == 0);
+  CHECK(written() == before);
+  CHECK(read_json(scratch.path("out/comparison.json")) == comparison);
+  std::vector<std::string> other = command;
+  other[6] = "50";
+  CHECK(manipulate(other).code == 0);
+  CHECK(written() != before);
+}
+
+TEST_CASE("compare: a run that hits its limit is shown as that") {
+  const Scratch scratch;
+  const Outcome run =
+      manipulate({write_scene(scratch, swirl(180, 40)), "--compare", "interior_point,penalty_published",
+                  "--time-limit", "0.05", "--no-picture", "-o", scratch.path("out")});
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  const auto entry = contestant(read_json(scratch.path("out/comparison.json")), "penalty_published");
+  CHECK(entry["status"] == "time_limit");
+}
+
+TEST_CASE("compare: results that were cut off are made again") {
+  const Scratch scratch;
+  const std::vector<std::string> command{
+      write_scene(scratch, swirl(90)), "--compare", "penalty", "--no-picture", "-o", scratch.path("out")};
+  REQUIRE(manipulate(command).code == 0);
+  std::filesystem::remove(scratch.path("out/runs/penalty/run.txt"));
+  std::ofstream(scratch.path("out/runs/penalty/summary.json")) << "{\"frames\": [";
+  REQUIRE(manipulate(command).code == 0);
+  CHECK(contestant(read_json(scratch.path("out/comparison.json")), "penalty")["status"] == "converged");
+}
