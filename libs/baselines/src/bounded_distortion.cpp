@@ -27,15 +27,9 @@ std::vector<double> projected(const sdp_penalty::Problem& problem, const Vector&
   const auto count = static_cast<std::size_t>(problem.element_count()),
              dim = static_cast<std::size_t>(problem.dim()), entries = dim * dim;
   const std::vector<double> F = deformation_gradients(problem.elements, x);
-  std::vector<double> S(F.size(), 0.0), lambda(count * dim), Q(F.size()), result(F.size(), 0.0);
+  const std::vector<double> S = constraint_matrices(problem, F);
+  std::vector<double> lambda(count * dim), Q(F.size()), result(F.size());
   const auto at = [&](std::size_t r, std::size_t c, std::size_t e) { return (r + dim * c) * count + e; };
-  for (std::size_t e = 0; e < count; ++e) {
-    const double* R = problem.rotations.data() + e * entries;
-    for (std::size_t i = 0; i < dim; ++i)
-      for (std::size_t j = 0; j < dim; ++j)
-        for (std::size_t k = 0; k < dim; ++k)
-          S[at(i, j, e)] += 0.5 * (R[k * dim + i] * F[at(k, j, e)] + R[k * dim + j] * F[at(k, i, e)]);
-  }
   linalg::symmetric_eigen(problem.dim(), {S.data(), lambda.data(), Q.data(), count, count});
   for (std::size_t e = 0; e < count; ++e) {
     const double* R = problem.rotations.data() + e * entries;

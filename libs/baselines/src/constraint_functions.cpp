@@ -3,7 +3,6 @@
 #include "corners.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace isostretch::baselines {
@@ -84,22 +83,12 @@ Functions principal_minors(int dim, const Entries& s, const Weights& weights) {
   return f;
 }
 
-// trace - norm with q = (s_00 - s_11, 2 s_01), norm^2 = |q|^2 + smoothing^2.
+// (s_00 + s_11)^2 - |(s_00 - s_11, 2 s_01)|^2 is 4 times the determinant.
 Functions second_order_cone(const Entries& s, const Weights& weights) {
-  const double p = s[0] - s[2], q = 2 * s[1],
-               norm = std::sqrt(p * p + q * q + cone_smoothing * cone_smoothing);
   Functions f;
-  f.value[0] = s[0] + s[2] - norm;
-  f.gradient[0] = {1 - p / norm, -2 * q / norm, 1 + p / norm};
-  // Of the norm, over p and q.
-  const double cube = norm * norm * norm, smooth = cone_smoothing * cone_smoothing;
-  const double pp = (q * q + smooth) / cube, qq = (p * p + smooth) / cube, pq = -p * q / cube;
-  f.add_curvature(0, 0, -weights[0] * pp);
-  f.add_curvature(2, 2, -weights[0] * pp);
-  f.add_curvature(0, 2, weights[0] * pp);
-  f.add_curvature(1, 1, -weights[0] * 4 * qq);
-  f.add_curvature(0, 1, -weights[0] * 2 * pq);
-  f.add_curvature(1, 2, weights[0] * 2 * pq);
+  f.value[0] = s[0] + s[2];
+  f.gradient[0] = {1, 0, 1};
+  minor_of_two(s, 1, 0, 2, 1, weights[1], f);
   return f;
 }
 
@@ -152,7 +141,7 @@ Functions evaluate(const sdp_penalty::Problem& problem, ConstraintForm form, con
 }
 
 int functions_of(ConstraintForm form, int dim) {
-  if (form == ConstraintForm::second_order_cone) return 1;
+  if (form == ConstraintForm::second_order_cone) return 2;
   return dim == 2 ? 3 : 7;
 }
 

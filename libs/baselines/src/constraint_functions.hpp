@@ -8,16 +8,15 @@ namespace isostretch::baselines {
 
 // S_i - margin I >= 0 as inequalities c(x) >= 0, for solvers of nonlinear programs.
 enum class ConstraintForm {
-  // All principal minors (Sylvester): 3 in 2D, 7 in 3D. Leading minors alone would do for definite matrices
-  // only. Polynomials, not concave: solvers find the optimum nevertheless as long as they end at a point
-  // where the multipliers are those of the convex problem.
+  // All principal minors (Sylvester): 3 in 2D, 7 in 3D. The leading ones would do for definite matrices only.
+  // Polynomials, not concave; but every point where their multipliers make it stationary, and are not
+  // negative, is the optimum as long as it is one of the convex problem, which its measures tell.
   principal_minors,
-  // 2D alone. Eigenvalues are not negative where S_11 + S_22 >= |(S_11 - S_22, 2 S_12)|, a second-order cone.
-  // The norm has no derivative at 0 and becomes sqrt(|.|^2 + smoothing^2): concave and smooth, and
-  // stricter by smoothing / 2 in the eigenvalue at most.
+  // 2D alone. Eigenvalues are not negative where S_11 + S_22 >= |(S_11 - S_22, 2 S_12)|, a second-order cone,
+  // whose norm has no derivative at its tip: squared, and with S_11 + S_22 >= 0. (Measured: smoothed instead,
+  // Ipopt ends in no time where few triangles are near the tip and not at all where many are.)
   second_order_cone
 };
-inline constexpr double cone_smoothing = 1e-7;
 
 // The functions of all elements with their derivatives, dense for the unknowns of each element (corners.hpp).
 // With a shift, S_i - (margin + t) I: t is one more unknown, the last of every element and of all.

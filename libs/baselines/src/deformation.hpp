@@ -2,6 +2,7 @@
 
 #include <isostretch/assembly/elements.hpp>
 #include <isostretch/core/vector.hpp>
+#include <isostretch/sdp_penalty/problem.hpp>
 
 #include <vector>
 
@@ -10,6 +11,9 @@ namespace isostretch::baselines {
 // F of linear elements, one after the other in the layout of batches: entry (r, c) of element e at
 // (r + dim * c) * count + e.
 std::vector<double> deformation_gradients(const assembly::Elements& elements, const Vector& x);
+
+// S = sym(R^T F) from these, in the same layout.
+std::vector<double> constraint_matrices(const sdp_penalty::Problem& problem, const std::vector<double>& F);
 
 // Of every element.
 std::vector<double> determinants(const assembly::Elements& elements, const Vector& x);

@@ -4,13 +4,11 @@
 #if defined(ISOSTRETCH_WITH_IPOPT)
 #include "ipopt_solvers.hpp"
 #endif
+#if defined(ISOSTRETCH_WITH_NLOPT)
+#include "nlopt_solvers.hpp"
+#endif
 
 namespace isostretch::baselines {
-namespace {
-
-constexpr std::string_view ipopt_source = "Waechter, Biegler 2006: filter line search, interior point";
-
-}  // namespace
 
 std::vector<Entry> ipopt_solvers() {
 #if defined(ISOSTRETCH_WITH_IPOPT)
@@ -20,9 +18,27 @@ std::vector<Entry> ipopt_solvers() {
   const std::string needs = "isostretch was built without Ipopt (Debian: coinor-libipopt-dev)";
   const Run minors = nullptr, feasible = nullptr, cone = nullptr;
 #endif
-  return {{{"ipopt", "Ipopt", ipopt_source, Kind::convex, needs}, minors},
-          {{"ipopt_feasible", "Ipopt, feasible start", ipopt_source, Kind::convex, needs}, feasible},
-          {{"ipopt_cone", "Ipopt, cones", ipopt_source, Kind::convex, needs}, cone}};
+  constexpr std::string_view source = "Waechter, Biegler 2006: filter line search, interior point";
+  return {{{"ipopt", "Ipopt", source, Kind::convex, needs}, minors},
+          {{"ipopt_feasible", "Ipopt, feasible start", source, Kind::convex, needs}, feasible},
+          {{"ipopt_cone", "Ipopt, cones", source, Kind::convex, needs}, cone}};
+}
+
+std::vector<Entry> nlopt_solvers() {
+#if defined(ISOSTRETCH_WITH_NLOPT)
+  const std::string needs;
+  const Run mma = run_nlopt_mma, ccsaq = run_nlopt_ccsaq, slsqp = run_nlopt_slsqp, auglag = run_nlopt_auglag;
+#else
+  const std::string needs = "isostretch was built without NLopt (Debian: libnlopt-dev)";
+  const Run mma = nullptr, ccsaq = nullptr, slsqp = nullptr, auglag = nullptr;
+#endif
+  return {
+      {{"nlopt_mma", "NLopt MMA", "Svanberg 2002", Kind::convex, needs}, mma},
+      {{"nlopt_ccsaq", "NLopt CCSA", "Svanberg 2002: quadratic approximations", Kind::convex, needs}, ccsaq},
+      {{"nlopt_slsqp", "NLopt SLSQP", "Kraft 1994", Kind::convex, needs}, slsqp},
+      {{"nlopt_auglag", "NLopt AUGLAG", "Birgin, Martinez 2008; inside, L-BFGS of Luksan", Kind::convex,
+        needs},
+       auglag}};
 }
 
 }  // namespace isostretch::baselines

@@ -28,5 +28,6 @@ std::vector<Entry> foldover_free();
 std::vector<Entry> lifted_content();
 std::vector<Entry> sdp_programs();
 std::vector<Entry> ipopt_solvers();
+std::vector<Entry> nlopt_solvers();
 
 }  // namespace isostretch::baselines

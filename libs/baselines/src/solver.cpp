@@ -13,8 +13,9 @@ namespace {
 
 std::vector<Entry> registry() {
   std::vector<Entry> all;
-  for (const auto& family : {own_methods, sdp_programs, ipopt_solvers, relinearized, bounded_distortion,
-                             determinant_penalty, locally_injective, foldover_free, lifted_content})
+  for (const auto& family :
+       {own_methods, sdp_programs, ipopt_solvers, nlopt_solvers, relinearized, bounded_distortion,
+        determinant_penalty, locally_injective, foldover_free, lifted_content})
     for (Entry& entry : family()) all.push_back(std::move(entry));
   return all;
 }

@@ -1,7 +1,6 @@
 #include "fake_programs.hpp"
-#include "reference_problems.hpp"
+#include "general_instances.hpp"
 
-#include <isostretch/baselines/solver.hpp>
 #include <isostretch/core/timer.hpp>
 
 #include <doctest/doctest.h>
@@ -13,26 +12,8 @@ namespace {
 using namespace isostretch;
 using baselines::Result;
 using baselines::Status;
-
-const tests::Reference& reference_named(const std::string& name) {
-  static const std::vector<tests::Reference> all = tests::references();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.name == name; });
-  REQUIRE(found != all.end());
-  return *found;
-}
-
-baselines::Instance instance_named(const std::string& name) {
-  return {reference_named(name).problem, reference_named(name).rest};
-}
-
-bool available(std::string_view name) {
-  for (const auto& info : baselines::solvers())
-    if (info.name == name && !info.available()) {
-      MESSAGE(name, " left out, for want of ", info.needs);
-      return false;
-    }
-  return true;
-}
+using tests::available;
+using tests::instance_named;
 
 // Runs in a folder of its own, and looks whether anything stayed there.
 Result run(std::string_view name, const baselines::Instance& instance, baselines::Options options = {}) {
@@ -43,41 +24,23 @@ Result run(std::string_view name, const baselines::Instance& instance, baselines
   return result;
 }
 
-// A square of two triangles whose corners are held in mirrored places.
-baselines::Instance impossible_instance() {
-  sdp_penalty::Problem problem;
-  problem.elements.dim = 2;
-  problem.elements.nodes_per_element = 3;
-  problem.elements.points_per_element = 1;
-  problem.elements.node_count = 4;
-  problem.elements.nodes = {0, 1, 2, 0, 2, 3};
-  problem.elements.gradients = {-1, 0, 1, -1, 0, 1, 0, -1, 1, 0, -1, 1};
-  problem.elements.weights = {0.5, 0.5};
-  problem.rotations = {1, 0, 0, 1, 1, 0, 0, 1};
-  problem.weights = {1, 1};
-  problem.targets = {{0, {0, 0}, true}, {1, {-1, 0}, true}, {2, {-1, 1}, true}};
-  baselines::Instance instance{problem, Vector(8)};
-  instance.rest << 0, 0, 1, 0, 1, 1, 0, 1;
-  return instance;
+const std::string all_programs[] = {"csdp", "sdpa", "dsdp"};
+
+// What each reached where it was measured, times three.
+double accuracy_of(const std::string& name) {
+  return name == "csdp" ? 1e-6 : name == "sdpa" ? 5e-7 : 2e-8;
 }
 
-// What each of the programs reached where it was measured, times three.
-struct Accuracy {
-  std::string name;
-  double difference;
-};
-const Accuracy accuracies[] = {{"csdp", 1e-6}, {"sdpa", 5e-7}, {"dsdp", 2e-8}};
-
 TEST_CASE("Programs find the reference optima") {
-  for (const auto& [name, difference] : accuracies) {
+  for (const std::string& name : all_programs) {
     if (!available(name)) continue;
-    for (const char* instance : {"yogurt90_N6_r0.15", "bar3d_squash_8x2x2"}) {
+    for (const std::string instance : {"yogurt90_N6_r0.15", "bar3d_squash_8x2x2"}) {
       CAPTURE(name);
       CAPTURE(instance);
-      const double optimum = reference_named(instance).json["sdp"]["E_upper"];
+      const double optimum = tests::optimum_of(instance);
       const Result result = run(name, instance_named(instance));
       CHECK(result.status == Status::converged);
-      CHECK(std::abs(result.measures.energy - optimum) <= difference * optimum);
+      CHECK(std::abs(result.measures.energy - optimum) <= accuracy_of(name) * optimum);
       CHECK(result.measures.min_eigenvalue >= -1e-7);
       CHECK(result.measures.inverted == 0);
       CHECK(result.iterations > 5);
@@ -92,16 +55,12 @@ TEST_CASE("Programs find the reference optima") {
 }
 
 TEST_CASE("Programs know hard targets, weights, incompressibility, the margin and bounds on stretch") {
-  baselines::Instance instance = instance_named("yogurt90_N6_r0.15");
-  sdp_penalty::Problem& problem = instance.problem;
-  problem.margin = 0.1;
-  problem.incompressibility = 3;
-  problem.largest_stretch = 1.5;
-  for (std::size_t e = 0; e < problem.weights.size(); ++e) problem.weights[e] = 0.5 + 0.1 * double(e % 7);
-  problem.targets[0].hard = true;
+  baselines::Instance instance = tests::rich_instance();
+  const sdp_penalty::Problem& problem = instance.problem;
+  instance.problem.largest_stretch = 1.5;
   const Result ours = baselines::solve("interior_point", instance);
   REQUIRE(ours.status == Status::converged);
-  for (const auto& [name, difference] : accuracies) {
+  for (const std::string& name : all_programs) {
     if (!available(name)) continue;
     CAPTURE(name);
     const Result result = run(name, instance);
@@ -114,7 +73,7 @@ TEST_CASE("Programs know hard targets, weights, incompressibility, the margin an
 }
 
 TEST_CASE("The tolerance and the number of iterations reach the programs") {
-  for (const auto& [name, difference] : accuracies) {
+  for (const std::string& name : all_programs) {
     if (!available(name)) continue;
     CAPTURE(name);
     const baselines::Instance instance = instance_named("bar3d_squash_8x2x2");
@@ -127,15 +86,16 @@ TEST_CASE("The tolerance and the number of iterations reach the programs") {
     CHECK(limited.status == Status::iteration_limit);
     CHECK(limited.iterations <= 6);
     CHECK(loose.iterations > 6);
-    CHECK(loose.iterations < run(name, instance).iterations);
+    options = {};
+    CHECK(loose.iterations < run(name, instance, options).iterations);
   }
 }
 
 TEST_CASE("Programs claim that an impossible problem is infeasible, and leave no optimum") {
-  for (const auto& [name, difference] : accuracies) {
+  for (const std::string& name : all_programs) {
     if (!available(name)) continue;
     CAPTURE(name);
-    CHECK(run(name, impossible_instance()).status == Status::claims_infeasible);
+    CHECK(run(name, tests::impossible_instance()).status == Status::claims_infeasible);
   }
 }
 

@@ -1,19 +1,19 @@
 // Bounded biharmonic weights of handles scattered over a mesh: prints one line of CSV, and what was done for
 // every handle.
 //
-//   isostretch_weights grid|bar|quadruped n [handles=10] [tolerance=1e-9]
+//   isostretch_weights grid|bar|shaken|quadruped n [handles=10] [tolerance=1e-9]
+//
+// shaken: the bar with vertices moved at random, so that it has no right angles.
 #include "../tests/body.hpp"
 
 #include <isostretch/core/timer.hpp>
 #include <isostretch/handles/bounded_weights.hpp>
-#include <isostretch/handles/selection.hpp>
 #include <isostretch/mesh/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
-#include <limits>
+#include <random>
 #include <stdexcept>
 #include <string>
 
@@ -24,43 +24,31 @@ using namespace isostretch;
 using tests::Body;
 using tests::body;
 
+void shake(mesh::Points3& vertices, double length) {
+  std::mt19937 random(1);
+  for (auto& coordinate : vertices.reshaped())
+    coordinate += length * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 0.5);
+}
+
 Body body_of(const std::string& kind, int n) {
   if (kind == "grid") {
     const auto sheet = mesh::grid(n, n);
     const mesh::Points2 flat = sheet.vertices.leftCols<2>();
     return body(mesh::elements(flat, sheet.triangles), flat);
   }
-  if (kind != "bar" && kind != "quadruped")
-    throw std::invalid_argument("unknown mesh '" + kind + "'; there are grid, bar, quadruped");
-  const auto tets = kind == "bar" ? mesh::tet_bar(n, 3 * n / 8, 3 * n / 8, 8, 3, 3) : mesh::quadruped(n);
+  if (kind != "bar" && kind != "shaken" && kind != "quadruped")
+    throw std::invalid_argument("unknown mesh '" + kind + "'; there are grid, bar, shaken, quadruped");
+  auto tets = kind == "quadruped" ? mesh::quadruped(n) : mesh::tet_bar(n, 3 * n / 8, 3 * n / 8, 8, 3, 3);
+  if (kind == "shaken") shake(tets.vertices, 0.2 * 8 / n);
   return body(mesh::elements(tets), tets.vertices);
-}
-
-// Each around the node farthest from the others.
-std::vector<std::vector<int>> scattered(const handles::Nodes& nodes, int count) {
-  std::vector<double> distance(static_cast<std::size_t>(nodes.count()),
-                               std::numeric_limits<double>::infinity());
-  std::vector<handles::Point> centers;
-  for (int h = 0; h < count; ++h) {
-    const auto far = std::max_element(distance.begin(), distance.end()) - distance.begin();
-    centers.push_back(nodes.at(static_cast<int>(far)));
-    for (int n = 0; n < nodes.count(); ++n) {
-      double& d = distance[static_cast<std::size_t>(n)];
-      d = std::min(d, (nodes.at(n) - centers.back()).norm());
-    }
-  }
-  const double radius = 0.25 * *std::max_element(distance.begin(), distance.end());
-  std::vector<std::vector<int>> chosen;
-  for (const handles::Point& center : centers)
-    chosen.push_back(handles::select(handles::Sphere{center, radius}, nodes, "handle"));
-  return chosen;
 }
 
 int run(int argc, char** argv) {
   if (argc < 3)
-    throw std::invalid_argument("arguments: grid, bar or quadruped, cells along it, handles, tolerance");
+    throw std::invalid_argument(
+        "arguments: grid, bar, shaken or quadruped, cells along it, handles, tolerance");
   const Body b = body_of(argv[1], std::stoi(argv[2]));
-  const auto chosen = scattered(b.nodes, argc > 3 ? std::stoi(argv[3]) : 10);
+  const auto chosen = tests::scattered(b.nodes, argc > 3 ? std::stoi(argv[3]) : 10);
   handles::WeightOptions options;
   if (argc > 4) options.tolerance = std::stod(argv[4]);
   const Timer timer;

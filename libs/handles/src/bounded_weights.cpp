@@ -1,4 +1,4 @@
-#include "active_set.hpp"
+#include "bounded_minimum.hpp"
 #include "free_system.hpp"
 #include "stiffness.hpp"
 
@@ -65,14 +65,6 @@ std::vector<bool> shared_by(int handle, const std::vector<int>& component, const
   return shared;
 }
 
-std::vector<double> diagonal_of(const Rows& rows) {
-  std::vector<double> diagonal(rows.size(), 1.0);
-  for (std::size_t n = 0; n < rows.size(); ++n)
-    for (const Entry& entry : rows[n])
-      if (at(entry.column) == n && entry.value > 0) diagonal[n] = entry.value;
-  return diagonal;
-}
-
 // Divides by the sum: the approximation of the paper.
 void normalize_rows(HandleWeights& weights) {
   const std::size_t count = at(weights.handles);
@@ -121,7 +113,8 @@ HandleWeights bounded_biharmonic_weights(const assembly::Elements& elements,
   const Rows stiffness = stiffness_rows(elements);
   const Rows both = squared(stiffness, lumped_mass(elements));
   const FreeSystem free_system(stiffness, both, elements.dim, options.solver);
-  const WeightSystem system{stiffness, both, free_system, diagonal_of(both)};
+  const Relaxation relaxation(both);
+  const WeightSystem system{relaxation, free_system};
   std::vector<double> start(nodes * count, 0.0);
   for (std::size_t n = 0; n < nodes; ++n)
     if (owner[n] != none) start[at(owner[n]) * nodes + n] = 1;
@@ -134,13 +127,13 @@ HandleWeights bounded_biharmonic_weights(const assembly::Elements& elements,
     try {
       const int handle = static_cast<int>(h);
       const std::vector<bool> shared = shared_by(handle, component, reached, owner);
-      std::vector<bool> wanted(nodes, false);
-      for (std::size_t n = 0; n < nodes; ++n) wanted[n] = unknown[n] && shared[at(component[n])];
+      std::vector<int> wanted;
+      for (std::size_t n = 0; n < nodes; ++n)
+        if (unknown[n] && shared[at(component[n])]) wanted.push_back(static_cast<int>(n));
       const auto first = start.begin() + static_cast<std::ptrdiff_t>(h * nodes);
       std::vector<double> w(first, first + static_cast<std::ptrdiff_t>(nodes));
-      result.reports[h] = minimize_bounded(system, wanted, handles[h], options, handle_name(handle), w);
-      for (std::size_t n = 0; n < nodes; ++n)
-        if (wanted[n]) result.values[n * count + h] = w[n];
+      result.reports[h] = minimize_bounded(system, wanted, options, handle_name(handle), w);
+      for (const int n : wanted) result.values[at(n) * count + h] = w[at(n)];
     } catch (...) {
       errors[h] = std::current_exception();
     }

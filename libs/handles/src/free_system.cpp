@@ -1,5 +1,7 @@
 #include "free_system.hpp"
 
+#include "constant_parts.hpp"
+
 #include <isostretch/core/error.hpp>
 #include <isostretch/sparse/solver.hpp>
 
@@ -41,10 +43,11 @@ FreeSystem::FreeSystem(const Rows& stiffness, const Rows& squared, int dim, cons
 }
 
 void FreeSystem::solve(const std::vector<bool>& free, std::vector<double>& w, int columns) const {
+  const std::vector<bool> to_solve = solve_constant_parts(squared_, free, w, columns);
   std::vector<int> unknown(free.size(), -1), node;
   sparse::SymmetricMatrix A;
   for (const int n : order_) {
-    if (!free[at(n)]) continue;
+    if (!to_solve[at(n)]) continue;
     unknown[at(n)] = static_cast<int>(node.size());
     node.push_back(n);
     A.group.push_back(group_[at(n)]);
@@ -77,7 +80,7 @@ void FreeSystem::solve(const std::vector<bool>& free, std::vector<double>& w, in
     for (std::size_t i = 0; i < count; ++i) {
       double sum = 0;
       for (const Entry& entry : squared_[at(node[i])])
-        if (!free[at(entry.column)]) sum -= entry.value * w[c * nodes + at(entry.column)];
+        if (!to_solve[at(entry.column)]) sum -= entry.value * w[c * nodes + at(entry.column)];
       right[c * count + i] = sum;
     }
   require(solver->solve_columns(right.data(), solution.data(), columns).message);

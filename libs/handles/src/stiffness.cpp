@@ -1,6 +1,7 @@
 #include "stiffness.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace isostretch::handles {
 namespace {
@@ -25,6 +26,24 @@ void merge(std::vector<Entry>& row) {
   if (!row.empty()) row.resize(last + 1);
 }
 
+double diagonal_of(const Rows& rows, int n) {
+  const auto& row = rows[static_cast<std::size_t>(n)];
+  const auto found =
+      std::find_if(row.begin(), row.end(), [&](const Entry& entry) { return entry.column == n; });
+  return found == row.end() ? 0 : found->value;
+}
+
+// Edges opposite to right angles alone have no stiffness but rounding. There are many in meshes of boxes,
+// and K M^-1 K would join the neighbours of both ends.
+void drop_rounding(Rows& K) {
+  std::vector<double> scale(K.size());
+  for (std::size_t n = 0; n < K.size(); ++n) scale[n] = std::sqrt(diagonal_of(K, static_cast<int>(n)));
+  for (std::size_t n = 0; n < K.size(); ++n)
+    std::erase_if(K[n], [&](const Entry& entry) {
+      return std::abs(entry.value) <= 1e-15 * scale[n] * scale[static_cast<std::size_t>(entry.column)];
+    });
+}
+
 }  // namespace
 
 Rows stiffness_rows(const assembly::Elements& elements) {
@@ -44,6 +63,7 @@ Rows stiffness_rows(const assembly::Elements& elements) {
         rows[static_cast<std::size_t>(nodes[a])].push_back({nodes[b], sum});
       }
   for (auto& row : rows) merge(row);
+  drop_rounding(rows);
   return rows;
 }
 

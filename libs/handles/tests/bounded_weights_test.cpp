@@ -113,7 +113,7 @@ TEST_CASE("weights are 1 at their handle, 0 at others, within the bounds, and ex
     for (int h = 0; h < 3; ++h) {
       const WeightReport& report = weights.reports[h];
       CHECK(report.kkt_residual < 1e-9);
-      CHECK(report.iterations <= 40);
+      CHECK(report.iterations <= 12);
       CHECK(report.factorizations < report.iterations);
       for (int other = 0; other < 3; ++other)
         for (const int n : handles[other]) CHECK(weights.at(n, h) == (h == other ? 1 : 0));
@@ -173,6 +173,21 @@ TEST_CASE("two handles that make the bounds bite: gradient, signs and complement
       CHECK(pressure > 1e-5 * unit);  // the bounds do push
     }
   }
+}
+
+TEST_CASE("few systems find the sets, and those that would come back are left by shorter steps") {
+  const auto tets = mesh::quadruped(20);
+  const Body b = body(mesh::elements(tets), tets.vertices);
+  const HandleWeights weights = bounded_biharmonic_weights(b.elements, tests::scattered(b.nodes, 10));
+  check_partition(weights);
+  bool descended = false;
+  for (const WeightReport& report : weights.reports) {
+    CHECK(report.factorizations <= 20);
+    CHECK(report.kkt_residual < 1e-9);
+    CHECK(report.at_zero > 50);
+    descended = descended || report.descended;
+  }
+  CHECK(descended);
 }
 
 TEST_CASE("a symmetric problem has symmetric weights") {

@@ -26,9 +26,9 @@ struct WeightOptions {
 
 // What was done for one handle.
 struct WeightReport {
-  int iterations = 0;      // active sets tried, that of the common start included
+  int iterations = 0;      // sets of held nodes tried, that of the common start, which is empty, included
   int factorizations = 0;  // of its own; the common start has one for all handles
-  bool descended = false;  // active sets repeated themselves, and the energy was descended instead
+  bool descended = false;  // a whole step would have raised the energy, and was shortened
   int at_zero = 0;         // nodes held at 0 by the bound, not by a handle
   int at_one = 0;          // the same at 1
   // max |w - clip(w - g / diagonal)| with the gradient g = K M^-1 K w, over all nodes that no handle holds,
@@ -56,10 +56,11 @@ struct HandleWeights {
 // Bounded biharmonic weights (Jacobson, Baran, Popovic, Sorkine 2011): for every handle the minimum of
 // 1/2 w^T K M^-1 K w with 0 <= w <= 1, w = 1 at its nodes and 0 at those of the other handles; K and M as in
 // spread.hpp. Rows are then divided by their sums, as in the paper's section 3, which drops the constraint
-// that they sum to 1. The minimum is the exact one, found with primal-dual active sets (Hintermueller, Ito,
-// Kunisch 2003). They would grow the free set by a layer of elements at a time; here it grows by several at
-// once, fewer and fewer. When a set comes back, the energy is descended instead by projected Newton steps
-// (Bertsekas 1982), which cannot cycle.
+// that they sum to 1. The minimum is the exact one, found by projected Newton steps (Bertsekas 1982): systems
+// with the nodes held that the bounds hold. Which those are, sweeps of projected over-relaxation (Cryer 1971)
+// find out before every system, as in truncated nonsmooth Newton multigrid (Graeser, Kornhuber 2009). The
+// energy falls all the way. The end is a system whose solution is within the bounds while no bound holds a
+// node the wrong way.
 //
 // Handles are solved in parallel, each with factorizations of its own: BLAS threads (OPENBLAS_NUM_THREADS)
 // only get in the way.

@@ -1,0 +1,71 @@
+#pragma once
+
+// What the tests of general solvers share: instances, and whether a solver is there.
+#include "reference_problems.hpp"
+
+#include <isostretch/baselines/solver.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace isostretch::tests {
+
+inline const Reference& reference_named(const std::string& name) {
+  static const std::vector<Reference> all = references();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Reference& r) { return r.name == name; });
+  REQUIRE(found != all.end());
+  return *found;
+}
+
+inline baselines::Instance instance_named(const std::string& name) {
+  return {reference_named(name).problem, reference_named(name).rest};
+}
+
+inline double optimum_of(const std::string& name) {
+  return reference_named(name).json["sdp"]["E_upper"];
+}
+
+// Says so where it is not.
+inline bool available(std::string_view name) {
+  for (const auto& info : baselines::solvers())
+    if (info.name == name) {
+      if (!info.available()) MESSAGE(name, " left out: ", info.needs);
+      return info.available();
+    }
+  FAIL("there is no solver ", name);
+  return false;
+}
+
+// A square of two triangles, three of whose corners are held in mirrored places.
+inline baselines::Instance impossible_instance() {
+  sdp_penalty::Problem problem;
+  problem.elements.dim = 2;
+  problem.elements.nodes_per_element = 3;
+  problem.elements.points_per_element = 1;
+  problem.elements.node_count = 4;
+  problem.elements.nodes = {0, 1, 2, 0, 2, 3};
+  problem.elements.gradients = {-1, 0, 1, -1, 0, 1, 0, -1, 1, 0, -1, 1};
+  problem.elements.weights = {0.5, 0.5};
+  problem.rotations = {1, 0, 0, 1, 1, 0, 0, 1};
+  problem.weights = {1, 1};
+  problem.targets = {{0, {0, 0}, true}, {1, {-1, 0}, true}, {2, {-1, 1}, true}};
+  baselines::Instance instance{problem, Vector(8)};
+  instance.rest << 0, 0, 1, 0, 1, 1, 0, 1;
+  return instance;
+}
+
+// The optimum of another one, with all that a problem may have but a bound on stretch, is as our own method
+// finds it.
+inline baselines::Instance rich_instance() {
+  baselines::Instance instance = instance_named("yogurt90_N6_r0.15");
+  sdp_penalty::Problem& problem = instance.problem;
+  problem.margin = 0.1;
+  problem.incompressibility = 3;
+  for (std::size_t e = 0; e < problem.weights.size(); ++e) problem.weights[e] = 0.5 + 0.1 * double(e % 7);
+  problem.targets[0].hard = true;
+  return instance;
+}
+
+}  // namespace isostretch::tests
