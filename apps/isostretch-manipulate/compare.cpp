@@ -6,7 +6,7 @@
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "comparison.hpp"
-#include "scene.hpp"
+#include "input.hpp"
 
 #include <isostretch/baselines/process.hpp>
 
@@ -81,17 +81,17 @@ class Match {
         options_(command_line.options()),
         scene_(command_line.scene()),
         out_(options_.out) {
+    choose();
+    read();
     for (const char* key : {"method", "penalty", "solver"}) scene_.erase(key);
     name_files_from_anywhere();
-    choose();
   }
 
   ExitCode run() {
     OutputFolder folder(out_);
     folder.write_now("scene.json", scene_.dump(2) + "\n");
     Comparison comparison;
-    comparison.name = command_line_.has_scene_file() ? command_line_.input().stem().string()
-                                                     : fs::path(command_line_.input()).stem().string();
+    comparison.name = name_;
     comparison.repetitions = options_.repetitions;
     comparison.time_limit = options_.time_limit;
     comparison.memory_limit = options_.memory_limit;
@@ -107,6 +107,16 @@ class Match {
   }
 
  private:
+  // As a run will: what is wrong is to be said once, of the files that the user knows.
+  void read() {
+    const Body body = read_body(command_line_, scene_);
+    const Scene scene = read_scene(command_line_, scene_, body);
+    read_rig(command_line_, scene, body);
+    name_ = command_line_.has_scene_file() ? command_line_.input().stem().string() : body.name;
+    frame_ = read_range(options_, scene).last;
+    gap_ = scene.solver.gap_tolerance;
+  }
+
   // The scene is written to another folder.
   void name_files_from_anywhere() {
     const auto absolute = [&](Json& file) {
@@ -156,7 +166,7 @@ class Match {
                          "--refine",
                          std::to_string(command_line_.refine()),
                          "--frames",
-                         frame_text(),
+                         formatted("%d:%d", frame_, frame_),
                          "--time-limit",
                          exact_text(run.time_limit),
                          "--memory-limit",
@@ -166,11 +176,6 @@ class Match {
     command.output_file = fs::absolute(run.folder / "log.txt");
     command.errors_file = fs::absolute(run.folder / "errors.txt");
     return command;
-  }
-
-  std::string frame_text() const {
-    const int frame = options_.range ? options_.range->last : scene_.value("frames", 1);
-    return formatted("%d:%d", frame, frame);
   }
 
   // What a run depends on, kept beside its results: with the same it need not be made again.
@@ -194,9 +199,10 @@ class Match {
 
   Contestant contest(const baselines::SolverInfo& info) const {
     std::vector<Contestant> tries;
-    for (int i = 0; i < options_.repetitions && !interrupted(); ++i)
-      tries.push_back(
-          attempt(info, {std::string(info.name), gap(), options_.time_limit, run_folder(info, i)}));
+    do {
+      const fs::path folder = run_folder(info, static_cast<int>(tries.size()));
+      tries.push_back(attempt(info, {std::string(info.name), gap_, options_.time_limit, folder}));
+    } while (static_cast<int>(tries.size()) < options_.repetitions && !interrupted());
     std::sort(tries.begin(), tries.end(),
               [](const Contestant& a, const Contestant& b) { return a.seconds < b.seconds; });
     const double least = tries.front().seconds, most = tries.back().seconds;
@@ -205,8 +211,6 @@ class Match {
     median.most_seconds = most;
     return median;
   }
-
-  double gap() const { return scene_.value("gap", 1e-6); }
 
   fs::path run_folder(const baselines::SolverInfo& info, int repetition) const {
     const std::string name(info.name);
@@ -338,6 +342,9 @@ class Match {
   Options options_;
   Json scene_;
   fs::path out_;
+  std::string name_;  // of the scene
+  int frame_ = 1;
+  double gap_ = 0;
   std::vector<baselines::SolverInfo> chosen_;
 };
 

@@ -128,6 +128,7 @@ void FrameSolver::run_rival(FrameResult& result) {
       options_.time_limit > 0 ? std::max(1e-3, options_.time_limit - timer_.seconds()) : 0;
   options.limits.megabytes = options_.memory_limit;
   options.limits.iterations = scene_.solver.max_iterations;
+  options.keep_going = [] { return !interrupted(); };
   result.before = skinned();
   baselines::Result made = baselines::solve(
       scene_.rival, {problem_, rest_}, options, [&](const baselines::Point& point, const Vector& x) {
@@ -136,7 +137,7 @@ void FrameSolver::run_rival(FrameResult& result) {
         result.summary.trace.push_back(row);
         show_progress(formatted("frame %d of %d  ", result.frame, scene_.script.frames) + scene_.rival +
                       "  " + progress_line(row));
-        return interrupted() ? baselines::CallbackAction::stop : baselines::CallbackAction::proceed;
+        return baselines::CallbackAction::proceed;
       });
   if (made.status == baselines::Status::callback) made.message = halt();
   result.summary.message = made.message;

@@ -6,6 +6,7 @@
 #include "common/terminal.hpp"
 #include "common/timed.hpp"
 #include "common/vtu.hpp"
+#include "input.hpp"
 #include "photo_frames.hpp"
 #include "report.hpp"
 #include "scene_reader.hpp"
@@ -31,17 +32,12 @@ class Job {
       : options_(command_line.options()),
         common_(common),
         json_(command_line.scene()),
-        body_(timed(seconds_.read, [&] { return read_body(command_line); })),
-        scene_(reading_scene(command_line.input(), [&] { return read_scene(json_, body_.dim); })),
-        rig_(reading_scene(command_line.input(), [&] { return Rig(scene_.script, body_); })),
+        body_(timed(seconds_.read, [&] { return read_body(command_line, json_); })),
+        scene_(read_scene(command_line, json_, body_)),
+        rig_(read_rig(command_line, scene_, body_)),
         photo_(read_photo(command_line)),
-        strain_(body_) {
-    reading_scene(command_line.input(), [&] { require_holds(scene_.format, body_); });
-    range_ = options_.range.value_or(FrameRange{1, scene_.script.frames});
-    if (range_.last > scene_.script.frames)
-      throw Failure(ExitCode::command_line, formatted("--frames: there is no frame %d, the scene has %d",
-                                                      range_.last, scene_.script.frames));
-  }
+        strain_(body_),
+        range_(read_range(options_, scene_)) {}
 
   ExitCode run(const CommandLine& command_line) {
     OutputFolder folder(options_.out);
@@ -59,18 +55,6 @@ class Job {
   }
 
  private:
-  Body read_body(const CommandLine& command_line) const {
-    const BodySpec spec = reading_scene(command_line.input(), [&] {
-      return read_body_spec(json_, command_line.folder(), command_line.refine());
-    });
-    const auto load = [&] {
-      Body body = load_body(spec);
-      require_linear(body);
-      return body;
-    };
-    return spec.generated ? reading_scene(command_line.input(), load) : failing_with(ExitCode::input, load);
-  }
-
   std::optional<PhotoFrames> read_photo(const CommandLine& command_line) const {
     const auto spec =
         reading_scene(command_line.input(), [&] { return read_photo_spec(json_, command_line.folder()); });

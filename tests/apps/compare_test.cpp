@@ -3,10 +3,14 @@
 
 #include <doctest/doctest.h>
 
+#include <csignal>
+
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 using namespace isostretch::test;
 using Json = nlohmann::ordered_json;
@@ -80,6 +84,17 @@ TEST_CASE("solver: what does not go with it, and names there are not") {
   CHECK_FALSE(std::filesystem::exists(scratch.path("out")));
 }
 
+TEST_CASE("compare: a wrong scene is refused by its own name before anything is written") {
+  const Scratch scratch;
+  Json scene = swirl(90);
+  scene["alpha"] = "much";
+  const Outcome run =
+      manipulate({write_scene(scratch, scene), "--compare", "penalty", "-o", scratch.path("out")});
+  CHECK(run.code == 3);
+  CHECK(run.err.find("scene.json: alpha: ") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(scratch.path("out")));
+}
+
 TEST_CASE("compare: every solver in a process of its own, one optimum, a table, plots, and a page") {
   const Scratch scratch;
   const std::vector<std::string> command{write_scene(scratch, swirl(180)),
@@ -126,6 +141,28 @@ TEST_CASE("compare: every solver in a process of its own, one optimum, a table, 
   other[6] = "50";
   CHECK(manipulate(other).code == 0);
   CHECK(written() != before);
+}
+
+TEST_CASE("compare: Ctrl-C ends the run there is, writes the comparison, and the same command goes on") {
+  const Scratch scratch;
+  const std::vector<std::string> command{write_scene(scratch, swirl(180, 60)),
+                                         "--compare",
+                                         "interior_point,penalty_published,penalty",
+                                         "--no-picture",
+                                         "-o",
+                                         scratch.path("out")};
+  const Outcome run = manipulate(command, [&](int process) {
+    const auto begun = [&] { return std::filesystem::exists(scratch.path("out/runs/penalty_published")); };
+    for (int i = 0; i < 1200 && !begun(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    ::kill(process, SIGINT);
+  });
+  CHECK(run.code == 5);
+  CHECK(run.err.find("the same command goes on") != std::string::npos);
+  const auto comparison = read_json(scratch.path("out/comparison.json"));
+  CHECK(contestant(comparison, "interior_point")["status"] == "converged");
+  CHECK(contestant(comparison, "penalty_published")["status"] == "callback");
+  CHECK(comparison["solvers"].size() == 2);
 }
 
 TEST_CASE("compare: a run that hits its limit is shown as that") {

@@ -9,12 +9,13 @@ namespace isostretch::baselines {
 // S_i - margin I >= 0 as inequalities c(x) >= 0, for solvers of nonlinear programs.
 enum class ConstraintForm {
   // All principal minors (Sylvester): 3 in 2D, 7 in 3D. The leading ones would do for definite matrices only.
-  // Polynomials, not concave; but every point where their multipliers make it stationary, and are not
-  // negative, is the optimum as long as it is one of the convex problem, which its measures tell.
+  // Polynomials, not concave: nothing keeps a solver from ending elsewhere than at the optimum, and measures
+  // tell.
   principal_minors,
   // 2D alone. Eigenvalues are not negative where S_11 + S_22 >= |(S_11 - S_22, 2 S_12)|, a second-order cone,
-  // whose norm has no derivative at its tip: squared, and with S_11 + S_22 >= 0. (Measured: smoothed instead,
-  // Ipopt ends in no time where few triangles are near the tip and not at all where many are.)
+  // whose norm has no derivative at its tip: squared, and with S_11 + S_22 >= 0. (Measured: with a
+  // smoothed norm instead Ipopt is quicker where few triangles are near the tip, and never ends where many
+  // are.)
   second_order_cone
 };
 

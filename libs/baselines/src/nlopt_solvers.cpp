@@ -31,10 +31,10 @@ struct Algorithm {
   const char* name;
   // NLopt ends by the change in one step, which says little about the gap: so much of the tolerance.
   double step_tolerance;
-  // Elements beyond which it takes more than ten minutes, as extrapolated: with 400 triangles MMA and CCSA
-  // had taken 10 steps after 100 s (each solves a dual problem with as many unknowns as there are functions),
-  // SLSQP 170 of some 400 (each is the cube of the unknowns), and AUGLAG takes 5000 evaluations of a dense
-  // Jacobian, of 0.4 GB with 3000 tets.
+  // Elements beyond which it takes more than ten minutes, extrapolated from this: of 400 triangles MMA and
+  // CCSA take ten seconds and more a step (each solves a dual problem with as many unknowns as there are
+  // functions), SLSQP 0.6 s (each is the cube of the unknowns; of 144 triangles it needs 400 steps), and
+  // AUGLAG takes up to 5000 evaluations of a dense Jacobian, which has 0.4 GB with 3000 tets.
   int most_elements;
 };
 constexpr Algorithm mma = {NLOPT_LD_MMA, "MMA", 1, 200}, ccsaq = {NLOPT_LD_CCSAQ, "CCSAQ", 1, 200},

@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -131,6 +132,7 @@ struct Plan {
   char* const* arguments;
   char* const* environment;
   int output, errors, failure;
+  pid_t caller;
   double megabytes;
 };
 
@@ -160,9 +162,14 @@ bool connect_streams(const Plan& plan) {
          dup2(plan.errors, STDERR_FILENO) >= 0;
 }
 
+// A program does not survive the caller either, whatever ends that; it would in its group of its own.
+bool end_with(pid_t caller) {
+  return prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == caller;
+}
+
 // In the new process. Returns only where it cannot be done; only what is safe in a signal handler is called.
 void become(const Plan& plan) {
-  if (setpgid(0, 0) == 0 && reset_signals() && connect_streams(plan) &&
+  if (setpgid(0, 0) == 0 && end_with(plan.caller) && reset_signals() && connect_streams(plan) &&
       (!plan.folder || chdir(plan.folder) == 0) && limit_memory(plan.megabytes))
     execve(plan.file, plan.arguments, plan.environment);
 }
@@ -324,6 +331,7 @@ ProcessResult run_process(const Command& command, const ProcessLimits& limits, c
                         .output = output.descriptor(),
                         .errors = errors.descriptor(),
                         .failure = -1,
+                        .caller = getpid(),
                         .megabytes = limits.megabytes},
                        command.program);
     supervise(group, limits, may_go_on, result);

@@ -5,6 +5,8 @@
 #include <isostretch/core/timer.hpp>
 
 #include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -121,6 +123,26 @@ TEST_CASE("An exception of the caller's leaves no process behind") {
   };
   CHECK_THROWS_WITH_AS(run_process(command, {}, throws), "enough", Error);
   const std::string process = text_of(folder.path() / "process");
+  CHECK(ends(process.substr(0, process.find('\n'))));
+}
+
+TEST_CASE("A program does not survive its caller") {
+  const TemporaryFolder folder({});
+  const std::filesystem::path file = folder.path() / "process";
+  Command command = shell("echo $$; exec sleep 1000");
+  command.output_file = file;
+  const pid_t caller = fork();
+  REQUIRE(caller >= 0);
+  if (caller == 0) {
+    run_process(command);
+    kill(getpid(), SIGKILL);
+  }
+  const Timer timer;
+  while (text_of(file).empty() && timer.seconds() < 5) usleep(1000);
+  kill(caller, SIGKILL);
+  waitpid(caller, nullptr, 0);
+  const std::string process = text_of(file);
+  REQUIRE_FALSE(process.empty());
   CHECK(ends(process.substr(0, process.find('\n'))));
 }
 

@@ -162,6 +162,17 @@ TEST_CASE("Whatever a program does, there is a status, and nothing stays behind"
     CHECK(outcome("sleep 1000").status == Status::time_limit);
     CHECK(timer.seconds() < 3);
   }
+  SUBCASE("stopped by the caller") {
+    const Timer timer;
+    options.keep_going = [&] { return timer.seconds() < 0.1; };
+    CHECK(outcome("sleep 1000").status == Status::callback);
+    CHECK(timer.seconds() < 3);
+  }
+  SUBCASE("too large for it") {
+    const Result result = outcome("echo 'This problem is too large to be solved in 32 bit mode!'; exit 206");
+    CHECK(result.status == Status::unsuited);
+    CHECK(result.message.find("too large") != std::string::npos);
+  }
   SUBCASE("no memory") {
     options.limits.megabytes = 100;
     CHECK(outcome("head -c 400m /dev/zero | tail -n 1 > p.out").status == Status::memory_limit);

@@ -67,6 +67,12 @@ TEST_CASE("Limits and the callback end a run with statuses of their own") {
         return point.iteration == 1 ? baselines::CallbackAction::stop : baselines::CallbackAction::proceed;
       });
   CHECK(stopped.status == Status::callback);
+  options = {};
+  int asked = 0;
+  options.keep_going = [&] { return ++asked < 3; };
+  const auto told = baselines::solve("penalty", instance, options);
+  CHECK(told.status == Status::callback);
+  CHECK(told.trace.size() == 3);
   CHECK(stopped.iterations == 1);
   CHECK(stopped.has_positions());
 }

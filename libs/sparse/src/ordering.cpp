@@ -5,6 +5,7 @@
 #include <Eigen/OrderingMethods>
 
 #include <algorithm>
+#include <mutex>
 #include <new>
 #include <numeric>
 #include <string>
@@ -29,12 +30,20 @@ bool dense_as_in_3d(const SymmetricMatrix& graph) {
 
 #if defined(ISOSTRETCH_WITH_CHOLMOD)
 
+// METIS draws from rand() of the C library, which threads share: one at a time, or orders differ from run to
+// run.
+int nested_dissection(cholmod_sparse& graph, std::vector<int>& permutation, cholmod_common* common) {
+  static std::mutex random_numbers;
+  const std::lock_guard lock(random_numbers);
+  return cholmod_metis(&graph, nullptr, 0, 1, permutation.data(), common);
+}
+
 std::vector<int> graph_ordering(const SymmetricMatrix& graph, Ordering wanted) {
   CholmodSession session;
   cholmod_sparse view = CholmodSession::pattern_view(graph);
   std::vector<int> permutation(graph.size);
   const int done = wanted == Ordering::metis
-                       ? cholmod_metis(&view, nullptr, 0, 1, permutation.data(), session.common())
+                       ? nested_dissection(view, permutation, session.common())
                        : cholmod_amd(&view, nullptr, 0, permutation.data(), session.common());
   if (session.common()->status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
   if (!done)

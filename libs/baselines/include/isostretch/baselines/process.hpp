@@ -42,9 +42,9 @@ using MayGoOn = std::function<bool()>;
 
 // Runs a program in a process group of its own and returns when it has ended. At a limit, or when may_go_on
 // says so, the group gets SIGTERM, and SIGKILL two seconds later; what a program leaves behind in its group
-// when it ends is killed too. Signals of the terminal reach the caller alone, which is
-// to pass them on through may_go_on. The caller may have threads. Throws Error where the program cannot be
-// started, naming it and the system's reason; what then happens to it is in the result.
+// when it ends is killed too, and the program when the calling thread ends. Signals of the terminal reach the
+// caller alone, which is to pass them on through may_go_on. The caller may have threads. Throws Error where
+// the program cannot be started, naming it and the system's reason; what then happens to it is in the result.
 ProcessResult run_process(const Command& command, const ProcessLimits& limits = {},
                           const MayGoOn& may_go_on = {});
 

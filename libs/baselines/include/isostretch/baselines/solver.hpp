@@ -20,6 +20,9 @@ struct Limits {
 struct Options {
   double tolerance = 1e-6;  // asked for, relative, in the terms of each solver's own stopping rule
   Limits limits;
+  // Asked after every iterate, and some twenty times a second while a program runs; false stops the run
+  // (Status::callback). For Ctrl-C, say. May be empty.
+  std::function<bool()> keep_going;
   // Where solvers that are programs exchange files; empty: the system's. Nothing is left there.
   std::filesystem::path temporary_folder;
 

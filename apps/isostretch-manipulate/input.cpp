@@ -1,0 +1,41 @@
+#include "input.hpp"
+
+#include "common/formatted.hpp"
+#include "common/scene_input.hpp"
+#include "scene_reader.hpp"
+
+namespace isostretch::app::manipulate {
+
+Body read_body(const CommandLine& command_line, const Json& scene) {
+  const BodySpec spec = reading_scene(command_line.input(), [&] {
+    return read_body_spec(scene, command_line.folder(), command_line.refine());
+  });
+  const auto load = [&] {
+    Body body = load_body(spec);
+    require_linear(body);
+    return body;
+  };
+  return spec.generated ? reading_scene(command_line.input(), load) : failing_with(ExitCode::input, load);
+}
+
+Scene read_scene(const CommandLine& command_line, const Json& scene, const Body& body) {
+  return reading_scene(command_line.input(), [&] {
+    Scene result = read_scene(scene, body.dim);
+    require_holds(result.format, body);
+    return result;
+  });
+}
+
+Rig read_rig(const CommandLine& command_line, const Scene& scene, const Body& body) {
+  return reading_scene(command_line.input(), [&] { return Rig(scene.script, body); });
+}
+
+FrameRange read_range(const Options& options, const Scene& scene) {
+  const FrameRange range = options.range.value_or(FrameRange{1, scene.script.frames});
+  if (range.last > scene.script.frames)
+    throw Failure(ExitCode::command_line, formatted("--frames: there is no frame %d, the scene has %d",
+                                                    range.last, scene.script.frames));
+  return range;
+}
+
+}  // namespace isostretch::app::manipulate
