@@ -141,11 +141,16 @@ void CommandLine::declare_solvers(CLI::App& cli) {
   cli.add_option("--solver", solver_, "Instead of a method, one of the rivals: " + listed(solver_names()))
       ->check(CLI::IsMember(solver_names()))
       ->type_name("NAME");
-  cli.add_option("--compare", compare_,
-                 "Run many solvers on the last frame, each in a process of its own: all, convex, nearby, or "
-                 "names with commas")
-      ->type_name("NAMES");
+  auto* compare =
+      cli.add_option(
+             "--compare", compare_,
+             "Run many solvers on the last frame, each in a process of its own: all, convex, nearby, or "
+             "names with commas")
+          ->type_name("NAMES");
+  for (const char* flag : {"--solver", "--method", "--penalty", "--relinearize"})
+    compare->excludes(cli.get_option(flag));
   cli.add_option("--repeat", repetitions_, "Of --compare: runs of each solver; the median counts")
+      ->needs(compare)
       ->check(whole_number_between(1, 1000))
       ->type_name("N")
       ->default_str("1");

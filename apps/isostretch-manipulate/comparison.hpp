@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ struct Contestant {
   Json frame;  // of its summary.json; null where it left none
   std::vector<TraceRow> trace;
   double peak_megabytes = 0;  // of its process
-  double seconds = 0;         // modelling, solving and reading; of its process where it left no account
-  double least_seconds = 0, most_seconds = 0;  // over the repetitions
+  // NaN where it was not run
+  double seconds = std::numeric_limits<double>::quiet_NaN();  // modelling, solving and reading; of its
+                                                              // process where it left no account
+  double least_seconds = 0, most_seconds = 0;                 // over the repetitions
 
   bool has_positions() const { return frame.is_object() && frame.contains("file"); }
   bool is_convex() const { return info.kind == baselines::Kind::convex; }
@@ -35,13 +38,15 @@ struct Contestant {
 struct Comparison {
   std::string name;  // of the scene
   Json mesh;
-  double optimum = 0, lower_bound = 0;  // of the convex problem; NaN where no one found it
+  // Of the convex problem; NaN where it is not known.
+  double optimum = std::numeric_limits<double>::quiet_NaN(),
+         lower_bound = std::numeric_limits<double>::quiet_NaN();
   std::vector<Contestant> contestants;
   int repetitions = 1;
   double time_limit = 0, memory_limit = 0;
 };
 
-// |E - optimum| / optimum of the energy of the convex problem.
+// |E - optimum| / optimum, of the energy of the convex problem.
 double relative_error(const Comparison& comparison, double energy);
 
 // The table as CSV, all of it as JSON, the plots as PNG, and a page with both.

@@ -140,6 +140,10 @@ void FrameSolver::run_rival(FrameResult& result) {
         return baselines::CallbackAction::proceed;
       });
   if (made.status == baselines::Status::callback) made.message = halt();
+  if (made.has_positions() && made.x.allFinite()) {
+    put_loose_nodes_back(made.x);  // an unfinished run may have moved them
+    made.measures = baselines::measure(problem_, made.x);
+  }
   result.summary.message = made.message;
   result.summary.iterations = made.iterations;
   result.summary.linear_solves = made.linear_solves;
@@ -153,10 +157,9 @@ void FrameSolver::run_rival(FrameResult& result) {
   result.rival = std::move(made);
   if (!result.made()) return;
   put_loose_nodes_back(result.before);
-  put_loose_nodes_back(result.positions);
 }
 
-// Ex-rotated skinning, which the picture shows beside the result; its time is nobody's.
+// Ex-rotated skinning, which the picture shows beside the result; its time is not the solver's.
 Vector FrameSolver::skinned() const {
   sdp_penalty::Options options;
   options.method = sdp_penalty::Method::skinning;
@@ -199,7 +202,7 @@ void FrameSolver::relinearize(FrameResult& result) {
   result.rotations = std::move(rounds.rotations);
 }
 
-// They are there already, but for rounding.
+// Where a solve is whole they are there already, but for rounding.
 void FrameSolver::put_loose_nodes_back(Vector& positions) const {
   for (const int node : loose_nodes_)
     positions.segment(body_.dim * node, body_.dim) = rest_.segment(body_.dim * node, body_.dim);

@@ -28,6 +28,19 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
+// A rectangle of 4 x 4 squares, each in two triangles, so wide.
+std::string rectangle(double width) {
+  std::string text;
+  for (int i = 0; i < 25; ++i)
+    text += "v " + std::to_string(0.25 * width * (i % 5)) + ' ' + std::to_string(0.25 * (i / 5)) + " 0\n";
+  for (int i = 1; i < 20; ++i)
+    if (i % 5 != 0) {
+      const std::string a = std::to_string(i) + ' ', b = std::to_string(i + 6) + ' ';
+      text += "f " + a + std::to_string(i + 1) + ' ' + b + "\nf " + a + b + std::to_string(i + 5) + '\n';
+    }
+  return text;
+}
+
 }  // namespace
 
 TEST_CASE("solver: a rival makes the frames, and the summary has its account") {
@@ -163,6 +176,35 @@ TEST_CASE("compare: Ctrl-C ends the run there is, writes the comparison, and the
   CHECK(contestant(comparison, "interior_point")["status"] == "converged");
   CHECK(contestant(comparison, "penalty_published")["status"] == "callback");
   CHECK(comparison["solvers"].size() == 2);
+  std::vector<std::string> rest = command;
+  rest.insert(rest.end(), {"--time-limit", "1"});
+  const Outcome again = manipulate(rest);
+  REQUIRE_MESSAGE(again.code == 0, again.err);
+  CHECK(read_json(scratch.path("out/comparison.json"))["solvers"].size() == 3);
+}
+
+TEST_CASE("compare: without a feasible position there is no optimum, and no error is told") {
+  const Scratch scratch;
+  Json scene = swirl(180);
+  for (auto& handle : scene["handles"]) handle["hard"] = true;
+  scene["handles"][1]["select"]["sphere"]["radius"] = 0.3;
+  const Outcome run = manipulate(
+      {write_scene(scratch, scene), "--compare", "interior_point,foldover_free", "-o", scratch.path("out")});
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  CHECK(run.err.find("the optimum is not known (claims_infeasible") != std::string::npos);
+  const auto comparison = read_json(scratch.path("out/comparison.json"));
+  CHECK(comparison["optimum"].is_null());
+  CHECK(contestant(comparison, "interior_point")["status"] == "claims_infeasible");
+  CHECK(contestant(comparison, "interior_point")["relative_error"].is_null());
+}
+
+TEST_CASE("compare: flags that choose a method are refused beside it") {
+  const Scratch scratch;
+  for (const char* flag : {"--solver=penalty", "--method=penalty", "--relinearize=2"})
+    CHECK(
+        manipulate({write_scene(scratch, swirl(90)), "--compare", "penalty", flag, "-o", scratch.path("out")})
+            .code == 2);
+  CHECK(manipulate({write_scene(scratch, swirl(90)), "--repeat", "2", "-o", scratch.path("out")}).code == 2);
 }
 
 TEST_CASE("compare: a run that hits its limit is shown as that") {
@@ -175,12 +217,45 @@ TEST_CASE("compare: a run that hits its limit is shown as that") {
   CHECK(entry["status"] == "time_limit");
 }
 
+TEST_CASE("compare: a mesh that has changed behind its name is another one") {
+  const Scratch scratch;
+  scratch.write("body.obj", rectangle(1));
+  const std::vector<std::string> command{scratch.path("body.obj"),
+                                         "--handle",
+                                         "slab:x,min,0.01",
+                                         "--handle",
+                                         "slab:x,max,0.01;translate=-1.2,0.3",
+                                         "--compare",
+                                         "penalty",
+                                         "--no-picture",
+                                         "-o",
+                                         scratch.path("out")};
+  Outcome run = manipulate(command);
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  const double before = read_json(scratch.path("out/comparison.json"))["optimum"];
+  scratch.write("body.obj", rectangle(1.5));
+  run = manipulate(command);
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  const auto comparison = read_json(scratch.path("out/comparison.json"));
+  CHECK(comparison["optimum"].get<double>() != before);
+  CHECK(contestant(comparison, "penalty")["relative_error"].get<double>() < 2e-6);
+}
+
+TEST_CASE("compare: at rest the optimum is 0, and so are the errors") {
+  const Scratch scratch;
+  const Outcome run = manipulate({write_scene(scratch, swirl(0)), "--compare", "interior_point,penalty",
+                                  "--no-picture", "-o", scratch.path("out")});
+  REQUIRE_MESSAGE(run.code == 0, run.err);
+  const auto comparison = read_json(scratch.path("out/comparison.json"));
+  for (const char* solver : {"interior_point", "penalty"})
+    CHECK(contestant(comparison, solver)["relative_error"].get<double>() < 1e-6);
+}
+
 TEST_CASE("compare: results that were cut off are made again") {
   const Scratch scratch;
   const std::vector<std::string> command{
       write_scene(scratch, swirl(90)), "--compare", "penalty", "--no-picture", "-o", scratch.path("out")};
   REQUIRE(manipulate(command).code == 0);
-  std::filesystem::remove(scratch.path("out/runs/penalty/run.txt"));
   std::ofstream(scratch.path("out/runs/penalty/summary.json")) << "{\"frames\": [";
   REQUIRE(manipulate(command).code == 0);
   CHECK(contestant(read_json(scratch.path("out/comparison.json")), "penalty")["status"] == "converged");

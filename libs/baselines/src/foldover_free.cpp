@@ -19,7 +19,7 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
   if (options.limits.iterations > 0) untangle.max_rounds = options.limits.iterations;
   const atlas::UntangleResult result = atlas::untangle(problem.elements, x, untangle, target_nodes(problem),
                                                        [&] { return recorder.record(x); });
-  recorder.result().iterations = result.iterations;
+  recorder.result().iterations = result.rounds;  // which the limit counts
   if (result.untangled)
     recorder.end(Status::converged, "no element is inverted");
   else if (result.rounds == untangle.max_rounds)

@@ -51,7 +51,8 @@ std::pair<Status, std::string> outcome_of(Ipopt::ApplicationReturnStatus status)
   }
 }
 
-Ipopt::ApplicationReturnStatus optimize(const Ipopt::SmartPtr<Ipopt::TNLP>& nlp, const Options& options) {
+Ipopt::ApplicationReturnStatus optimize(const Ipopt::SmartPtr<Ipopt::TNLP>& nlp, const Options& options,
+                                        const Recorder& recorder) {
   // Without a console.
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
   application->RethrowNonIpoptException(true);
@@ -63,7 +64,8 @@ Ipopt::ApplicationReturnStatus optimize(const Ipopt::SmartPtr<Ipopt::TNLP>& nlp,
   list->SetNumericValue("bound_relax_factor", 0);
   list->SetStringValue("sb", "yes");
   list->SetIntegerValue("print_level", 0);
-  if (options.limits.iterations > 0) list->SetIntegerValue("max_iter", options.limits.iterations);
+  if (options.limits.iterations > 0)  // Of both phases together.
+    list->SetIntegerValue("max_iter", std::max(0, options.limits.iterations - recorder.iterations()));
   const Ipopt::ApplicationReturnStatus status = application->Initialize("");
   return status == Ipopt::Solve_Succeeded ? application->OptimizeTNLP(nlp) : status;
 }
@@ -75,7 +77,7 @@ Vector optimize_energy(const Instance& instance, ConstraintForm form, const Vect
   const Ipopt::SmartPtr<IpoptNlp> nlp = new IpoptNlp(instance, objective, constraints, recorder);
   nlp->start_at(unknowns_from(instance.problem, start, false));
   recorder.begin(Phase::solving);
-  const auto [status, message] = outcome_of(optimize(Ipopt::GetRawPtr(nlp), options));
+  const auto [status, message] = outcome_of(optimize(Ipopt::GetRawPtr(nlp), options, recorder));
   recorder.end(status, message);
   recorder.result().iterations += nlp->iterations();
   return nlp->positions();
@@ -118,11 +120,11 @@ Vector feasible_position(const Instance& instance, const Options& options, Recor
   const Ipopt::SmartPtr<IpoptNlp> nlp = new IpoptNlp(instance, objective, constraints, recorder);
   nlp->start_at(unknowns_from(instance.problem, start, true));
   nlp->look_for_shift(enough, most);
-  const auto [status, message] = outcome_of(optimize(Ipopt::GetRawPtr(nlp), options));
+  const auto [status, message] = outcome_of(optimize(Ipopt::GetRawPtr(nlp), options, recorder));
   recorder.result().iterations += nlp->iterations();
   if (!nlp->has_enough() && !(status == Status::converged && nlp->shift() > 0))
-    recorder.end(status == Status::converged ? Status::claims_infeasible : status,
-                 "in search of a feasible start: " + message);
+    recorder.end(status == Status::converged ? Status::stalled : status,
+                 "in search of a feasible start, and found none: " + message);
   return nlp->positions();
 }
 

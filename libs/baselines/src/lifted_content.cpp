@@ -67,7 +67,9 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
   recorder.begin(Phase::solving);
   Vector x = with_all_targets(problem, skinned(problem));
   newton::Objective objective(problem.dim(), problem.node_count());
-  objective.add<newton::EnergyTerm>(weighted_elements(problem), LiftedContent{});
+  // Weighted by volume: the boundary fixes the sum of signed contents then, which is what the method rests
+  // on.
+  objective.add<newton::EnergyTerm>(problem.elements, LiftedContent{});
   for (const int node : held) objective.pin(node);
   newton::Options newton;
   newton.scaled_gradient_tolerance = 0;

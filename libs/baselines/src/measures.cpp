@@ -6,10 +6,27 @@
 #include <isostretch/sdp_penalty/relinearize.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace isostretch::baselines {
 namespace {
+
+// NaN where one of them is.
+double smaller(double a, double b) {
+  return std::isnan(a) || a < b ? a : b;
+}
+
+// The largest singular value of every F.
+std::vector<double> largest_stretches(const sdp_penalty::Problem& problem, const std::vector<double>& F) {
+  const auto count = static_cast<std::size_t>(problem.element_count()),
+             dim = static_cast<std::size_t>(problem.dim());
+  std::vector<double> U(F.size()), sigma(count * dim), longest(count, 0.0);
+  linalg::signed_svd(problem.dim(), {F.data(), U.data(), sigma.data(), nullptr, count, count});
+  for (std::size_t k = 0; k < sigma.size(); ++k)
+    longest[k % count] = std::max(longest[k % count], std::abs(sigma[k]));
+  return longest;
+}
 
 void measure_constraint(const sdp_penalty::Problem& problem, const std::vector<double>& F,
                         Measures& measures) {
@@ -18,13 +35,16 @@ void measure_constraint(const sdp_penalty::Problem& problem, const std::vector<d
   const std::vector<double> S = constraint_matrices(problem, F);
   std::vector<double> lambda(count * dim);
   linalg::symmetric_eigen(problem.dim(), {S.data(), lambda.data(), nullptr, count, count});
+  std::vector<double> longest;
+  if (problem.bounds_stretch()) longest = largest_stretches(problem, F);
   measures.min_eigenvalue = std::numeric_limits<double>::infinity();
   measures.infeasible = 0;
   for (std::size_t e = 0; e < count; ++e) {
     double least = lambda[e];
-    for (std::size_t k = 1; k < dim; ++k) least = std::min(least, lambda[k * count + e]);
-    measures.min_eigenvalue = std::min(measures.min_eigenvalue, least);
-    measures.infeasible += least < problem.margin;
+    for (std::size_t k = 1; k < dim; ++k) least = smaller(least, lambda[k * count + e]);
+    measures.min_eigenvalue = smaller(measures.min_eigenvalue, least);
+    const bool too_long = !longest.empty() && !(longest[e] <= problem.largest_stretch);
+    measures.infeasible += !(least >= problem.margin) || too_long;
   }
 }
 

@@ -141,7 +141,9 @@ bool limit_memory(double megabytes) {
   rlimit limit;
   if (getrlimit(RLIMIT_AS, &limit) != 0) return false;
   // The caller's own limit cannot be raised.
-  limit.rlim_max = std::min(static_cast<rlim_t>(megabytes * bytes_per_megabyte), limit.rlim_max);
+  const double bytes = megabytes * bytes_per_megabyte;
+  constexpr double most = 1e18;  // beyond any machine, and within rlim_t
+  if (bytes < most) limit.rlim_max = std::min(static_cast<rlim_t>(bytes), limit.rlim_max);
   limit.rlim_cur = limit.rlim_max;
   return setrlimit(RLIMIT_AS, &limit) == 0;
 }

@@ -27,6 +27,7 @@ class Recorder {
   double seconds() const;       // so far
   double seconds_left() const;  // infinity without a limit
   int points() const { return static_cast<int>(result_.trace.size()); }
+  int iterations() const { return result_.iterations; }  // as the solver has reported them so far
   // Of the last iterate; there must be one.
   const Measures& last() const { return result_.trace.back().measures; }
   // From here on an iterate without inverted elements ends the run as converged.

@@ -28,8 +28,12 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
     result.linear_solves += round.linear_solves;
   if (summary.settled)
     recorder.end(Status::converged, "the rotations have settled");
+  else if (summary.last.status == sdp_penalty::Status::inadmissible)
+    recorder.end(Status::claims_infeasible, summary.last.message);
+  else if (!summary.last.feasible())
+    recorder.end(Status::stalled, summary.last.message);
   else
-    recorder.end(Status::iteration_limit, "the rotations have not settled: " + summary.last.message);
+    recorder.end(Status::iteration_limit, "the rotations have not settled");
   return x;
 }
 

@@ -99,7 +99,7 @@ TEST_CASE("Ipopt does not claim to have solved what cannot be solved") {
     CAPTURE(name);
     const Result result = baselines::solve(name, tests::impossible_instance());
     CAPTURE(result.message);
-    CHECK(result.status == Status::claims_infeasible);
+    CHECK((result.status == Status::claims_infeasible || result.status == Status::stalled));
     CHECK(result.measures.infeasible > 0);
   }
 }

@@ -120,6 +120,7 @@ TEST_CASE(
     const auto limited = baselines::solve(info.name, instance, options);
     CHECK((limited.status == Status::iteration_limit || limited.status == Status::converged ||
            limited.status == Status::unsuited));
+    CHECK(limited.iterations <= 1);
     options.limits = {.seconds = 1e-9};
     const auto timed = baselines::solve(info.name, instance, options);
     CHECK((timed.status == Status::time_limit || timed.status == Status::unsuited));

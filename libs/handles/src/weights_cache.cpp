@@ -17,7 +17,7 @@ namespace isostretch::handles {
 namespace {
 
 // With it changes whatever is stored or how it is computed.
-constexpr std::string_view magic = "isostretch weights 1\n";
+constexpr std::string_view magic = "isostretch weights 2\n";
 constexpr std::uint64_t byte_order = 0x0102030405060708;
 
 // 128 bits in two streams of multiplications by odd constants.

@@ -15,8 +15,9 @@ struct Measures {
   double distortion = std::numeric_limits<double>::quiet_NaN();
   double min_eigenvalue = std::numeric_limits<double>::quiet_NaN();   // of all S_i
   double min_determinant = std::numeric_limits<double>::quiet_NaN();  // of all F_i
-  int infeasible = -1;  // elements with an eigenvalue of S below the margin; -1: not known
-  int inverted = -1;    // elements with det F <= 0
+  // Elements with an eigenvalue of S below the margin, or longer than largest_stretch; -1: not known
+  int infeasible = -1;
+  int inverted = -1;  // elements with det F <= 0
 };
 
 // Not finite positions: not finite measures, and every element infeasible and inverted.

@@ -60,7 +60,7 @@ struct HandleWeights {
 // with the nodes held that the bounds hold. Which those are, sweeps of projected over-relaxation (Cryer 1971)
 // find out before every system, as in truncated nonsmooth Newton multigrid (Graeser, Kornhuber 2009). The
 // energy falls all the way. The end is a system whose solution is within the bounds while no bound holds a
-// node the wrong way.
+// node the wrong way, or, where rounding stands before that, a step that moves nothing; kkt_residual tells.
 //
 // Handles are solved in parallel, each with factorizations of its own: BLAS threads (OPENBLAS_NUM_THREADS)
 // only get in the way.
