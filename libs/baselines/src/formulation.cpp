@@ -2,8 +2,6 @@
 
 #include "nearest_matrix_term.hpp"
 
-#include <isostretch/sdp_penalty/solver.hpp>
-
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -22,14 +20,6 @@ newton::Objective elastic_objective(const sdp_penalty::Problem& problem) {
   }
   objective.add<newton::SoftPinTerm>(problem.dim(), problem.node_count(), std::move(pins));
   return objective;
-}
-
-Vector skinned(const sdp_penalty::Problem& problem) {
-  sdp_penalty::Options options;
-  options.method = sdp_penalty::Method::skinning;
-  Vector x;
-  sdp_penalty::solve(problem, x, options);
-  return x;
 }
 
 namespace {

@@ -2,6 +2,7 @@
 
 // What formulations of inversion-free manipulation other than the convex problem have in common.
 #include "recorder.hpp"
+#include "skinning.hpp"
 
 #include <isostretch/newton/minimize.hpp>
 #include <isostretch/newton/objective.hpp>
@@ -13,9 +14,6 @@ namespace isostretch::baselines {
 // The elastic term of the convex problem, its soft targets, and its hard ones pinned. The problem must
 // outlive it.
 newton::Objective elastic_objective(const sdp_penalty::Problem& problem);
-
-// Positions that minimise the energy of the convex problem without its constraint.
-Vector skinned(const sdp_penalty::Problem& problem);
 
 // x with the targets where they belong: all of them, or the hard ones alone.
 Vector with_all_targets(const sdp_penalty::Problem& problem, Vector x);

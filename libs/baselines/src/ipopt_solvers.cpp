@@ -1,7 +1,7 @@
 #include "ipopt_solvers.hpp"
 
 #include "ipopt_nlp.hpp"
-#include "nonlinear_start.hpp"
+#include "skinning.hpp"
 
 #include <IpIpoptApplication.hpp>
 
@@ -112,7 +112,7 @@ double extent(const Vector& x, int dim) {
 // is no t above 0 the run ends here.
 Vector feasible_position(const Instance& instance, const Options& options, Recorder& recorder) {
   constexpr double enough = 0.02, most = 0.1;  // eigenvalues of S are 1 at rest
-  const Vector start = minimiser_without_constraints(instance.problem);
+  const Vector start = skinned(instance.problem);
   // All of the body moved by its extent counts as much as t = 0.01.
   const double size = extent(instance.rest, instance.dim());
   const Nearness objective(start, 0.02 / (size * size * instance.problem.node_count()));
@@ -131,8 +131,8 @@ Vector feasible_position(const Instance& instance, const Options& options, Recor
 }  // namespace
 
 Vector run_ipopt(const Instance& instance, const Options& options, Recorder& recorder) {
-  return optimize_energy(instance, ConstraintForm::principal_minors,
-                         minimiser_without_constraints(instance.problem), options, recorder);
+  return optimize_energy(instance, ConstraintForm::principal_minors, skinned(instance.problem), options,
+                         recorder);
 }
 
 Vector run_ipopt_feasible(const Instance& instance, const Options& options, Recorder& recorder) {
@@ -146,8 +146,8 @@ Vector run_ipopt_cone(const Instance& instance, const Options& options, Recorder
     recorder.end(Status::unsuited, "only matrices of two rows are second-order cones");
     return {};
   }
-  return optimize_energy(instance, ConstraintForm::second_order_cone,
-                         minimiser_without_constraints(instance.problem), options, recorder);
+  return optimize_energy(instance, ConstraintForm::second_order_cone, skinned(instance.problem), options,
+                         recorder);
 }
 
 }  // namespace isostretch::baselines

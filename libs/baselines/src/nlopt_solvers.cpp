@@ -1,8 +1,8 @@
 #include "nlopt_solvers.hpp"
 
 #include "constraint_functions.hpp"
-#include "nonlinear_start.hpp"
 #include "objective.hpp"
+#include "skinning.hpp"
 
 #include <nlopt.h>
 
@@ -173,7 +173,7 @@ Vector optimize(const Algorithm& algorithm, const Instance& instance, const Opti
                                        " it takes more than ten minutes");
     return {};
   }
-  Vector x = minimiser_without_constraints(instance.problem);
+  Vector x = skinned(instance.problem);
   NloptProblem problem(instance, recorder);
   const Optimizer optimizer = make_optimizer(algorithm, problem, options);
   problem.stop_through(optimizer.get());

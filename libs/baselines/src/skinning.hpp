@@ -1,0 +1,12 @@
+#pragma once
+
+#include <isostretch/core/vector.hpp>
+#include <isostretch/sdp_penalty/problem.hpp>
+
+namespace isostretch::baselines {
+
+// Ex-rotated skinning, where many begin: the minimiser without constraints, with hard targets where they
+// belong.
+Vector skinned(const sdp_penalty::Problem& problem);
+
+}  // namespace isostretch::baselines
