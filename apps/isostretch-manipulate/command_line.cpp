@@ -155,7 +155,7 @@ void CommandLine::declare_solvers(CLI::App& cli) {
       ->type_name("N")
       ->default_str("1");
   cli.add_option("--memory-limit", memory_limit_,
-                 "Megabytes for a process: of a solver that is a program, of each with --compare; "
+                 "Megabytes for the process of --solver and its programs, or of each with --compare; "
                  "0: no limit")
       ->check(not_negative())
       ->type_name("MB");

@@ -2,6 +2,7 @@
 
 #include "common/formatted.hpp"
 #include "common/interrupt.hpp"
+#include "common/memory_limit.hpp"
 #include "common/terminal.hpp"
 
 #include <isostretch/core/error.hpp>
@@ -130,15 +131,19 @@ void FrameSolver::run_rival(FrameResult& result) {
   options.limits.iterations = scene_.solver.max_iterations;
   options.keep_going = [] { return !interrupted(); };
   result.before = skinned();
-  baselines::Result made = baselines::solve(
-      scene_.rival, {problem_, rest_}, options, [&](const baselines::Point& point, const Vector& x) {
-        const sdp_penalty::Iteration row = row_of(point);
-        result.path.add(row, x);
-        result.summary.trace.push_back(row);
-        show_progress(formatted("frame %d of %d  ", result.frame, scene_.script.frames) + scene_.rival +
-                      "  " + progress_line(row));
-        return baselines::CallbackAction::proceed;
-      });
+  const auto solve = [&] {
+    const MemoryLimit limit(options_.memory_limit);
+    return baselines::solve(
+        scene_.rival, {problem_, rest_}, options, [&](const baselines::Point& point, const Vector& x) {
+          const sdp_penalty::Iteration row = row_of(point);
+          result.path.add(row, x);
+          result.summary.trace.push_back(row);
+          show_progress(formatted("frame %d of %d  ", result.frame, scene_.script.frames) + scene_.rival +
+                        "  " + progress_line(row));
+          return baselines::CallbackAction::proceed;
+        });
+  };
+  baselines::Result made = solve();
   if (made.status == baselines::Status::callback) made.message = halt();
   if (made.has_positions() && made.x.allFinite()) {
     put_loose_nodes_back(made.x);  // an unfinished run may have moved them

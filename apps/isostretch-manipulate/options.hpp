@@ -16,7 +16,7 @@ struct Options {
   std::filesystem::path out;
   std::optional<FrameRange> range;  // none: all
   double time_limit = 0;            // seconds; 0: none
-  double memory_limit = 0;          // megabytes, of solvers that are programs; 0: none
+  double memory_limit = 0;          // megabytes, of a rival's process; 0: none
   std::string compare;              // solvers, as on the command line; empty: none
   int repetitions = 1;              // of each of them
   bool picture = true;

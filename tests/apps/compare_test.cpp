@@ -75,6 +75,19 @@ TEST_CASE("solver: one that is none for the instance fails the frame by its own 
   CHECK(read_json(scratch.path("out/summary.json"))["frames"][1]["status"] == "unsuited");
 }
 
+#if !defined(__SANITIZE_ADDRESS__)  // which takes more address space than there is
+TEST_CASE("solver: more memory than is allowed is a status, and the rest is written") {
+  const Scratch scratch;
+  for (const char* solver : {"interior_point", "penalty"}) {
+    const Outcome run = manipulate({write_scene(scratch, swirl(180, 200)), "--solver", solver,
+                                    "--memory-limit", "60", "--no-picture", "-o", scratch.path("out")});
+    CAPTURE(run.err);
+    CHECK((run.code == 5 || run.code == 6));
+    CHECK(read_json(scratch.path("out/summary.json"))["frames"][1]["status"] == "memory_limit");
+  }
+}
+#endif
+
 TEST_CASE("solver: what does not go with it, and names there are not") {
   const Scratch scratch;
   Json scene = swirl(90);

@@ -36,7 +36,8 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder,
         return recorder.record(iterate, row.iteration) ? sdp_penalty::CallbackAction::proceed
                                                        : sdp_penalty::CallbackAction::stop;
       });
-  recorder.end(status_of(summary.status), summary.message);
+  const bool no_memory = summary.message.find("out of memory") != std::string::npos;
+  recorder.end(no_memory ? Status::memory_limit : status_of(summary.status), summary.message);
   recorder.result().iterations = summary.iterations;
   recorder.result().linear_solves = summary.linear_solves;
   recorder.result().lower_bound = summary.lower_bound;

@@ -67,7 +67,9 @@ Result solve(std::string_view solver, const Instance& instance, const Options& o
   } catch (const std::bad_alloc&) {
     recorder.end(Status::memory_limit, "out of memory");
   } catch (const std::exception& error) {
-    recorder.end(Status::failed, error.what());
+    const std::string what = error.what();
+    const bool no_memory = what.find("out of memory") != std::string::npos;
+    recorder.end(no_memory ? Status::memory_limit : Status::failed, what);
   }
   return recorder.finish(x);
 }
