@@ -29,7 +29,8 @@ struct ProcessResult {
   bool timed_out = false;  // ended here for ProcessLimits::seconds
   bool stopped = false;    // ended here because the caller said so
   double seconds = 0;      // wall clock
-  // Largest resident set, of the program and those that it has waited for.
+  // Largest resident set, of the program and those that it has waited for; where the caller's own is larger,
+  // of the program alone, looked at now and then.
   double peak_megabytes = 0;
   std::string output, errors;  // unless they went to files
 
