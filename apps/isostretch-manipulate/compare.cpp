@@ -158,10 +158,15 @@ class Match {
                     "interrupted (Ctrl-C) before the optimum was known; the same command goes on");
     if (!best.has_positions() || best.frame.at("not_psd") != 0 || !best.frame.at("lower_bound").is_number())
       return warn("the optimum is not known (" + best.status + ": " + best.message + "), nor are errors");
-    comparison.lower_bound = best.frame.at("lower_bound");
-    comparison.optimum = best.frame.at("energy");
-    const double gap = relative_error(comparison, comparison.lower_bound);
-    if (!(gap <= loose_gap))
+    Comparison found = comparison;
+    found.lower_bound = best.frame.at("lower_bound");
+    found.optimum = best.frame.at("energy");
+    const double gap = relative_error(found, found.lower_bound);
+    if (!(gap <= std::max(gap_, loose_gap)))
+      return warn(formatted("the optimum is not known, but to a share of %.1e (", gap) + best.message +
+                  "), nor are errors");
+    comparison = std::move(found);
+    if (gap > loose_gap)
       warn(formatted("the optimum is known to a share of %.1e only (", gap) + best.message + ")");
   }
 

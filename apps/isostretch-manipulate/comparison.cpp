@@ -33,8 +33,10 @@ double error_of(const Comparison& comparison, const Contestant& c) {
   return c.is_convex() && c.has_positions() ? relative_error(comparison, number(c.frame, "energy")) : unknown;
 }
 
+// Of its process, or of the program that this one ran.
 double own_peak(const Contestant& c) {
-  return std::max(c.peak_megabytes, std::max(0.0, number(c.frame, "peak_megabytes")));
+  const double peak = std::max(c.peak_megabytes, std::max(0.0, number(c.frame, "peak_megabytes")));
+  return peak > 0 ? peak : unknown;
 }
 
 // A column of the tables: its name, how a page shows it, and the number.
@@ -88,6 +90,10 @@ ComparisonPanel panel(const Comparison& comparison, std::string title, bool agai
       curve.push_back({against_seconds ? row.seconds : std::max(0.5, double(row.iteration)), value(c, row)});
   }
   return result;
+}
+
+std::string known(double value, const char* pattern) {
+  return std::isfinite(value) ? formatted(pattern, value) : "unknown";
 }
 
 std::string cell(const Quantity& quantity, const Comparison& comparison, const Contestant& c) {
@@ -161,11 +167,11 @@ std::string draw_comparison(const Comparison& comparison) {
     panels.push_back(panel(comparison, "Inverted elements", against_seconds, false,
                            [](const Contestant&, const TraceRow& row) { return double(row.inverted); }));
   }
-  return figures::draw_comparison(
-      comparison.name + ": solvers of the inversion-free problem",
-      formatted("%s elements   ·   optimum %.9g   ·   rings: where a solver ended",
-                with_thousands(comparison.mesh.at("elements").get<int>()).c_str(), comparison.optimum),
-      names, panels, 3);
+  return figures::draw_comparison(comparison.name + ": solvers of the inversion-free problem",
+                                  with_thousands(comparison.mesh.at("elements").get<int>()) +
+                                      " elements   ·   optimum " + known(comparison.optimum, "%.9g") +
+                                      "   ·   rings: where a solver ended",
+                                  names, panels, 3);
 }
 
 std::string comparison_page(const Comparison& comparison, const std::string& plots) {
@@ -184,9 +190,11 @@ std::string comparison_page(const Comparison& comparison, const std::string& plo
   }
   std::string body = html::block("h1", html::escaped(comparison.name + ": solvers compared"));
   body += html::block(
-      "p", html::escaped(formatted("Optimum of the convex problem: %.12g, at least %.12g. Each solver alone "
-                                   "in its own process, %d time(s); seconds without measuring the iterates.",
-                                   comparison.optimum, comparison.lower_bound, comparison.repetitions)));
+      "p", html::escaped("Optimum of the convex problem: " + known(comparison.optimum, "%.12g") +
+                         ", at least " + known(comparison.lower_bound, "%.12g") +
+                         formatted(". Each solver alone in its own process, %d time(s); seconds without "
+                                   "measuring the iterates.",
+                                   comparison.repetitions)));
   body += html::figure(plots, "Error, worst eigenvalue and inverted elements of every solver",
                        "Against seconds (above) and iterations (below). Solvers that show no iterates have "
                        "only their end.");

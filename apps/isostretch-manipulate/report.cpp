@@ -150,7 +150,11 @@ int inverted(const Result& r) {
 }
 
 int failed(const Result& r) {
-  return count(r.frames, "failed") + count(r.frames, "inadmissible");
+  int sum = 0;
+  for (const char* status : {"failed", "inadmissible", "claims_infeasible", "unsuited", "unavailable",
+                             "memory_limit", "crashed", "unreadable"})
+    sum += count(r.frames, status);
+  return sum;
 }
 
 // The first frame of which that is true, in words.

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 
 namespace isostretch::tests {
@@ -36,6 +37,24 @@ inline bool available(std::string_view name) {
     }
   FAIL("there is no solver ", name);
   return false;
+}
+
+// The callback stops a run at its n-th iterate, which is the result, and what it throws is the run's message.
+inline baselines::Result check_callback(const std::string& name, const baselines::Instance& instance, int n) {
+  using baselines::Status;
+  baselines::Result stopped =
+      baselines::solve(name, instance, {}, [n](const baselines::Point& point, const Vector&) {
+        return point.iteration == n ? baselines::CallbackAction::stop : baselines::CallbackAction::proceed;
+      });
+  CHECK(stopped.status == Status::callback);
+  CHECK(stopped.has_positions());
+  const baselines::Result failed = baselines::solve(
+      name, instance, {}, [](const baselines::Point&, const Vector&) -> baselines::CallbackAction {
+        throw std::runtime_error("of the callback's own");
+      });
+  CHECK(failed.status == Status::failed);
+  CHECK(failed.message == "of the callback's own");
+  return stopped;
 }
 
 // A square of two triangles, three of whose corners are held in mirrored places.

@@ -1,6 +1,6 @@
 // Formulations of inversion-free manipulation other than the convex problem.
 #include "../src/nearest_matrix_term.hpp"
-#include "reference_problems.hpp"
+#include "general_instances.hpp"
 
 #include <isostretch/baselines/solver.hpp>
 #include <isostretch/newton/objective.hpp>
@@ -15,13 +15,7 @@ namespace {
 using namespace isostretch;
 using baselines::Kind;
 using baselines::Status;
-
-tests::Reference reference_named(const std::string& name) {
-  for (tests::Reference& reference : tests::references())
-    if (reference.name == name) return std::move(reference);
-  FAIL("there is no reference instance ", name);
-  return {};
-}
+using tests::reference_named;
 
 // A pattern of its own kind in every entry.
 Vector wobbled(Vector x, double size) {

@@ -53,18 +53,7 @@ TEST_CASE("NLopt ends at its limits and where the callback says so") {
     CHECK(baselines::solve(name, instance, options).status == Status::iteration_limit);
     options.limits = {.seconds = 0.01};
     CHECK(baselines::solve(name, instance, options).status == Status::time_limit);
-    const Result stopped =
-        baselines::solve(name, instance, {}, [](const baselines::Point& point, const Vector&) {
-          return point.iteration == 1 ? baselines::CallbackAction::stop : baselines::CallbackAction::proceed;
-        });
-    CHECK(stopped.status == Status::callback);
-    CHECK(stopped.has_positions());
-    const Result failed = baselines::solve(
-        name, instance, {}, [](const baselines::Point&, const Vector&) -> baselines::CallbackAction {
-          throw std::runtime_error("of the callback's own");
-        });
-    CHECK(failed.status == Status::failed);
-    CHECK(failed.message == "of the callback's own");
+    tests::check_callback(name, instance, 1);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "reference_problems.hpp"
+#include "general_instances.hpp"
 
 #include <isostretch/baselines/solver.hpp>
 #include <isostretch/core/error.hpp>
@@ -12,13 +12,7 @@ namespace {
 
 using namespace isostretch;
 using baselines::Status;
-
-baselines::Instance instance_named(const std::string& name) {
-  for (tests::Reference& reference : tests::references())
-    if (reference.name == name) return {std::move(reference.problem), std::move(reference.rest)};
-  FAIL("there is no reference instance ", name);
-  return {};
-}
+using tests::instance_named;
 
 TEST_CASE("Solvers have names of their own, and an unknown one is refused with the list") {
   std::set<std::string_view> names;
