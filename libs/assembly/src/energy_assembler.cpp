@@ -229,7 +229,7 @@ Evaluation EnergyAssembler::value(const double* x) {
 
 Evaluation EnergyAssembler::differentiate(const double* x, const projection::FilterOptions& filter,
                                           double* gradient, bool hessian) {
-  const std::size_t per_element = size(nodes_ * dim_), blocks = size(block_count(nodes_) * dim_ * dim_);
+  const std::size_t per_element = size(nodes_ * dim_), blocks = hessian_entries_per_element();
   gradient_slots_.resize(size(element_count_) * per_element);
   if (hessian) hessian_slots_.resize(size(element_count_) * blocks);
   chunk_values_.assign(size(chunk_count_), 0.0);
@@ -281,6 +281,15 @@ Evaluation EnergyAssembler::differentiate(const double* x, const projection::Fil
     for (std::size_t d = 0; d < size(dim_); ++d) gradient[size(node * dim_) + d] += sum[d];
   }
   return result;
+}
+
+std::size_t EnergyAssembler::hessian_entries_per_element() const {
+  return size(block_count(nodes_) * dim_ * dim_);
+}
+
+double* EnergyAssembler::element_hessians() {
+  hessian_slots_.resize(size(element_count_) * hessian_entries_per_element());
+  return hessian_slots_.data();
 }
 
 void EnergyAssembler::add_hessian(double* values) const {

@@ -1,4 +1,4 @@
-#include "line_search.hpp"
+#include <isostretch/newton/line_search.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "hessian_policy.hpp"
-#include "line_search.hpp"
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/log.hpp>
 #include <isostretch/core/timer.hpp>
+#include <isostretch/newton/line_search.hpp>
 #include <isostretch/newton/minimize.hpp>
 #include <isostretch/sparse/solver.hpp>
 

@@ -52,6 +52,14 @@ class EnergyAssembler {
   // Adds the Hessian of the last differentiate() to the values of a matrix with the bound pattern.
   void add_hessian(double* values) const;
 
+  // For approximations in the place of the Hessian: what add_hessian() adds, to be read and written after a
+  // differentiate() with the Hessian, or to be filled after one without. Of the element element_order()[i]
+  // the blocks a <= b of its nodes, dim * dim entries each, row by row, from entry i *
+  // hessian_entries_per_element() on.
+  double* element_hessians();
+  std::size_t hessian_entries_per_element() const;
+  const std::vector<int>& element_order() const { return original_; }
+
   // Largest t <= limit such that det(F + s dF) stays above the energy's bound for all 0 <= s < t at every
   // quadrature point (Smith & Schaefer 2015); `limit` for energies without a barrier.
   double max_step(const double* x, const double* dx, double limit) const;

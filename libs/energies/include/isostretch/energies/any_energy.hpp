@@ -18,6 +18,22 @@ struct Parameter {
   std::string description;
 };
 
+// An energy that evaluates whole chunks by itself, in the place of a struct for which templates are compiled:
+// made of other energies, or at run time. Both functions fill padding points too.
+class ChunkEnergy {
+ public:
+  virtual ~ChunkEnergy() = default;
+  virtual std::string name() const = 0;
+  virtual bool supports(int dim) const = 0;
+  virtual double determinant_bound() const = 0;  // as AnyEnergy::determinant_bound()
+  virtual bool coupled() const = 0;              // as AnyEnergy::coupled()
+  virtual std::vector<Parameter> parameters() const { return {}; }
+
+  // psi alone, +infinity outside the domain; and everything in the chunk.
+  virtual void psi(int dim, const StretchChunk& chunk) const = 0;
+  virtual void derivatives(int dim, const StretchChunk& chunk) const = 0;
+};
+
 // Kernels of a built-in energy, compiled for every instruction-set level; null for any other name.
 const std::array<EnergyFunctions, isa_count>* builtin_functions(std::string_view name);
 
@@ -28,7 +44,9 @@ const std::array<EnergyFunctions, isa_count>* builtin_functions(std::string_view
 class AnyEnergy {
  public:
   template <class Energy>
+  requires requires { Energy::name; }
   AnyEnergy(Energy energy);  // NOLINT: implicit on purpose, an energy is an AnyEnergy
+  explicit AnyEnergy(std::shared_ptr<const ChunkEnergy> energy);
 
   const std::string& name() const noexcept { return name_; }
   bool supports(int dim) const noexcept { return functions_[0].psi[dim - 2] != nullptr; }
@@ -58,6 +76,9 @@ class AnyEnergy {
 };
 
 template <class Energy>
+requires requires {
+  Energy::name;
+}
 AnyEnergy::AnyEnergy(Energy energy)
     : name_(Energy::name), determinant_bound_(energies::determinant_bound(energy)) {
   if (const auto* compiled = builtin_functions(name_)) {

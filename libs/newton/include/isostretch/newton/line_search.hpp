@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/core/vector.hpp>
 #include <isostretch/newton/objective.hpp>
 #include <isostretch/newton/options.hpp>
 
@@ -18,6 +19,7 @@ struct LineSearchResult {
 
 // Finds a step along the descent direction d (slope = gradient . d < 0) from x with that energy; `trial` is x
 // + step d when accepted. Differences of energies below `noise` mean nothing. Only energies are evaluated.
+// Of the options those of the line search count. For minimisers of one's own: minimize() calls it itself.
 LineSearchResult search_line(Objective& objective, const Vector& x, const Vector& d, double energy,
                              double slope, double noise, const Options& options, Vector& trial);
 

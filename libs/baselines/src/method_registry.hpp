@@ -1,0 +1,21 @@
+#pragma once
+
+#include <isostretch/baselines/distortion.hpp>
+
+#include <string>
+#include <vector>
+
+namespace isostretch::baselines {
+
+// One method for distortion energies, given a valid problem that suits it.
+struct Method {
+  MethodInfo info;
+  std::string (*unsuited)(const DistortionProblem&) = nullptr;  // as baselines::unsuited(); null: suits all
+  newton::Summary (*run)(const DistortionProblem&, Vector& x, const MethodOptions&,
+                         const newton::IterationCallback&) = nullptr;
+};
+
+// Each in its own file, as many methods as it has variants.
+std::vector<Method> newton_methods();
+
+}  // namespace isostretch::baselines
