@@ -12,7 +12,8 @@ namespace {
 
 std::vector<Method> registry() {
   std::vector<Method> all;
-  for (const auto& family : {newton_methods})
+  for (const auto& family :
+       {newton_methods, point_projection, element_projection, eigenvalue_methods, slim, killing})
     for (Method& method : family()) all.push_back(std::move(method));
   return all;
 }

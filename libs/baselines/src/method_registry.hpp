@@ -17,5 +17,10 @@ struct Method {
 
 // Each in its own file, as many methods as it has variants.
 std::vector<Method> newton_methods();
+std::vector<Method> point_projection();
+std::vector<Method> element_projection();
+std::vector<Method> eigenvalue_methods();
+std::vector<Method> slim();
+std::vector<Method> killing();
 
 }  // namespace isostretch::baselines

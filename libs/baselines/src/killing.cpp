@@ -1,0 +1,75 @@
+#include "killing.hpp"
+
+#include "method_registry.hpp"
+#include "newton_driver.hpp"
+#include "unsuited.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <memory>
+
+namespace isostretch::baselines {
+namespace {
+
+template <int Dim>
+double shear_at_rest(const energies::AnyEnergy& energy) {
+  invariants::Stretch<Dim, double> rest;
+  std::fill_n(rest.sigma, Dim, 1.0);
+  return 0.5 * energies::derivatives_at(energy, rest).flip[0];
+}
+
+}  // namespace
+
+KillingTerm::KillingTerm(const DistortionProblem& problem)
+    : ModelledEnergyTerm(problem),
+      shear_(problem.elements.dim == 2 ? shear_at_rest<2>(problem.energy)
+                                       : shear_at_rest<3>(problem.energy)) {}
+
+void KillingTerm::model(const Vector& x) {
+  elements().dim == 2 ? model_elements<2>(x) : model_elements<3>(x);
+}
+
+// u = sum of u_a N_a has the gradient sum u_a c_a^T, c_a = F^-T g_a, and
+//   |grad u + grad u^T|^2 = 2 sum_ab (c_a . c_b)(u_a . u_b) + (c_a . u_b)(c_b . u_a).
+template <int Dim>
+void KillingTerm::model_elements(const Vector& x) {
+#pragma omp parallel for schedule(static)
+  for (int place = 0; place < element_count(); ++place) {
+    const int element = element_at(place);
+    for (int p = 0; p < elements().points_per_element; ++p) {
+      const std::size_t at = point(element, p);
+      const Eigen::Matrix<double, Dim, Dim> F = deformation_gradient<Dim>(x, element, at);
+      const Eigen::Matrix<double, Dim, Dim> back = F.inverse().transpose();
+      const double weight = shear_ * elements().weights[at] * F.determinant();
+      const auto g = rest_gradients<Dim>(at);
+      for_each_block<Dim>(hessian_at(place), [&](int a, int b, auto block) {
+        if (p == 0) block.setZero();
+        const Eigen::Matrix<double, Dim, 1> ca = back * g.col(a), cb = back * g.col(b);
+        block += weight * cb * ca.transpose();
+        block.diagonal().array() += weight * ca.dot(cb);
+      });
+    }
+  }
+}
+
+namespace {
+
+std::string unsuited(const DistortionProblem& problem) {
+  return needs_barrier(problem);
+}
+
+newton::Summary run(const DistortionProblem& problem, Vector& x, const MethodOptions& options,
+                    const newton::IterationCallback& callback) {
+  return minimize_with(std::make_unique<KillingTerm>(problem), problem, x, options, callback);
+}
+
+}  // namespace
+
+std::vector<Method> killing() {
+  return {{{"killing", "isometry-aware preconditioning", "Claici et al. 2017", Family::majorization},
+           unsuited,
+           run}};
+}
+
+}  // namespace isostretch::baselines

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <isostretch/invariants/stretch.hpp>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+namespace isostretch::baselines {
+
+template <int Dim>
+using ScalingMatrix = Eigen::Matrix<double, Dim, Dim>;
+
+// The scaling block A of the Hessian, out of and back into its entries.
+template <int Dim>
+ScalingMatrix<Dim> scaling_matrix(const invariants::StretchDerivatives<Dim, double>& d) {
+  ScalingMatrix<Dim> A;
+  for (int i = 0; i < Dim; ++i) A(i, i) = d.diagonal[i];
+  for (int i = 0; i < d.pairs; ++i) {
+    const int j = invariants::first<Dim>(i), k = invariants::second<Dim>(i);
+    A(j, k) = A(k, j) = d.coupling[i];
+  }
+  return A;
+}
+
+template <int Dim>
+void set_scaling_matrix(const ScalingMatrix<Dim>& A, invariants::StretchDerivatives<Dim, double>& d) {
+  for (int i = 0; i < Dim; ++i) d.diagonal[i] = A(i, i);
+  for (int i = 0; i < d.pairs; ++i) d.coupling[i] = A(invariants::first<Dim>(i), invariants::second<Dim>(i));
+}
+
+// The nearest positive semi-definite matrix, by an eigen-decomposition that was computed.
+template <class Solver>
+auto clamped(const Solver& eigen) {
+  const auto& Q = eigen.eigenvectors();
+  return (Q * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * Q.transpose()).eval();
+}
+
+// The same by the iterative decomposition of Eigen.
+template <int Size>
+Eigen::Matrix<double, Size, Size> nearest_semidefinite(const Eigen::Matrix<double, Size, Size>& A) {
+  return clamped(Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>>(A));
+}
+
+}  // namespace isostretch::baselines

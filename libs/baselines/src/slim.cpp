@@ -1,0 +1,122 @@
+#include "slim.hpp"
+
+#include "method_registry.hpp"
+#include "newton_driver.hpp"
+#include "unsuited.hpp"
+
+#include <isostretch/linalg/decompositions.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace isostretch::baselines {
+namespace {
+
+// The stretch that costs nothing, nearest to sigma; the same for all directions with every energy here.
+template <int Dim>
+double nearest_free_stretch(const energies::AnyEnergy& energy, const invariants::Stretch<Dim, double>& s) {
+  if (energy.name() == "mips_2d") return std::sqrt(s.J());
+  if (energy.name() == "conformal_amips_3d") return std::sqrt(s.I2() / Dim);
+  return 1;
+}
+
+// A few elements at one quadrature point of each: singular vectors and values, and what psi does there.
+template <int Dim>
+struct Batch {
+  static constexpr int size = 64;
+  static constexpr int pairs = invariants::pair_count<Dim>;
+  using Matrix = Eigen::Matrix<double, Dim, Dim>;
+
+  void set(int i, const Matrix& Fi) {
+    for (int e = 0; e < Dim * Dim; ++e) F[index(e, i)] = Fi.data()[e];
+  }
+  void evaluate(const energies::AnyEnergy& energy) {
+    linalg::signed_svd(Dim, linalg::SvdBatch{F.data(), U.data(), sigma.data(), V.data(), size, size});
+    energy.evaluate_derivatives(Dim, {size, size, sigma.data(), psi.data(), gradient.data(), twist.data(),
+                                      flip.data(), diagonal.data(), coupling.data()});
+  }
+
+  Matrix left(int i) const {
+    Matrix result;
+    for (int e = 0; e < Dim * Dim; ++e) result.data()[e] = U[index(e, i)];
+    return result;
+  }
+  // omega^2 by direction. Where sigma meets the free stretch the quotient has the curvature as its limit.
+  Eigen::Matrix<double, Dim, 1> squared_weights(const energies::AnyEnergy& energy, int i) const {
+    constexpr double meeting = 1e-8;
+    invariants::Stretch<Dim, double> s;
+    for (int e = 0; e < Dim; ++e) s.sigma[e] = sigma[index(e, i)];
+    const double free = nearest_free_stretch<Dim>(energy, s);
+    Eigen::Matrix<double, Dim, 1> squared;
+    for (int e = 0; e < Dim; ++e) {
+      const double difference = s.sigma[e] - free;
+      const bool apart = std::abs(difference) > meeting * free;
+      squared[e] = 0.5 * (apart ? gradient[index(e, i)] / difference : diagonal[index(e, i)]);
+    }
+    return squared;
+  }
+
+ private:
+  static std::size_t index(int entry, int i) { return static_cast<std::size_t>(entry * size + i); }
+
+  std::array<double, Dim * Dim * size> F, U, V;
+  std::array<double, Dim * size> sigma, gradient, diagonal;
+  std::array<double, pairs * size> twist, flip, coupling;
+  std::array<double, size> psi;
+};
+
+}  // namespace
+
+void SlimTerm::model(const Vector& x) {
+  elements().dim == 2 ? model_elements<2>(x) : model_elements<3>(x);
+}
+
+template <int Dim>
+void SlimTerm::model_elements(const Vector& x) {
+#pragma omp parallel for schedule(static)
+  for (int first = 0; first < element_count(); first += Batch<Dim>::size) {
+    const int count = std::min(Batch<Dim>::size, element_count() - first);
+    Batch<Dim> batch;
+    for (int p = 0; p < elements().points_per_element; ++p) {
+      for (int i = 0; i < Batch<Dim>::size; ++i) {  // the last element again as padding
+        const int element = element_at(first + std::min(i, count - 1));
+        batch.set(i, deformation_gradient<Dim>(x, element, point(element, p)));
+      }
+      batch.evaluate(energy());
+      for (int i = 0; i < count; ++i) {
+        const std::size_t at = point(element_at(first + i), p);
+        const Eigen::Matrix<double, Dim, Dim> U = batch.left(i);
+        const Eigen::Matrix<double, Dim, Dim> W2 =
+            2 * elements().weights[at] * U * batch.squared_weights(energy(), i).asDiagonal() * U.transpose();
+        const auto g = rest_gradients<Dim>(at);
+        for_each_block<Dim>(hessian_at(first + i), [&](int a, int b, auto block) {
+          if (p == 0) block.setZero();
+          block += g.col(a).dot(g.col(b)) * W2;
+        });
+      }
+    }
+  }
+}
+
+namespace {
+
+// Energies whose stress has the sign of sigma - t in every direction: the others have no such weights.
+std::string unsuited(const DistortionProblem& problem) {
+  return needs_energy(problem, {"arap", "symmetric_arap", "symmetric_dirichlet", "symmetric_gradient",
+                                "mips_2d", "conformal_amips_3d"});
+}
+
+newton::Summary run(const DistortionProblem& problem, Vector& x, const MethodOptions& options,
+                    const newton::IterationCallback& callback) {
+  return minimize_with(std::make_unique<SlimTerm>(problem), problem, x, options, callback);
+}
+
+}  // namespace
+
+std::vector<Method> slim() {
+  return {{{"slim", "SLIM", "Rabinovich et al. 2017", Family::majorization}, unsuited, run}};
+}
+
+}  // namespace isostretch::baselines
