@@ -57,10 +57,10 @@ std::vector<MethodInfo> methods();
 // for an unknown name, listing those there are.
 std::string unsuited(std::string_view method, const DistortionProblem& problem);
 
-// Runs one from x, which ends as the best positions found (methods that are not monotone may have seen better
-// on the way than the last of the trace). Throws Error for an unknown name, an invalid problem or options,
-// and where the method is unsuited; numerical outcomes are the Summary's status. The callback sees every
-// iterate; its time counts.
+// Runs one from x, which ends as the last positions of the trace (methods that are not monotone may have seen
+// better ones on the way). Throws Error for an unknown name, an invalid problem or options, and where the
+// method is unsuited; numerical outcomes are the Summary's status. The callback sees every iterate; its time
+// counts.
 newton::Summary minimize(std::string_view method, const DistortionProblem& problem, Vector& x,
                          const MethodOptions& options = {}, const newton::IterationCallback& callback = {});
 

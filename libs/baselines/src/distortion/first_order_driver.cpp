@@ -36,7 +36,6 @@ SharedPieces::SharedPieces(const DistortionProblem& problem, newton::Summary& su
 
 double SharedPieces::value(const Vector& x) {
   const ScopedTimer timer(summary_.seconds.line_search);
-  ++summary_.energy_evaluations;
   return objective_->value(x).value;
 }
 
@@ -60,8 +59,8 @@ void SharedPieces::solve(const Vector& right, Vector& direction) {
 
 double SharedPieces::noise(const Iterate& at) const {
   constexpr double relative = 2e-14, last_digits = 4e-15, epsilon = 2.2e-16;
-  const double length = last_digits * bounding_box_diagonal(at.x, problem_.elements.dim) +
-                        epsilon * at.x.cwiseAbs().maxCoeff();
+  const double length =
+      last_digits * bounding_box_diagonal(at.x, problem_.elements.dim) + epsilon * at.x.cwiseAbs().maxCoeff();
   return std::max(relative * std::abs(at.energy),
                   metric_->unknowns() * metric_->typical_stiffness() * length * length);
 }
@@ -78,7 +77,6 @@ Step search_step(const Iterate& from, const Vector& direction, const newton::Opt
   step.at_roundoff = search.at_roundoff;
   step.row.step = search.step;
   step.row.decrement = -0.5 * slope;
-  step.row.model_fit = search.model_fit;
   step.row.evaluations = search.evaluations;
   return step;
 }

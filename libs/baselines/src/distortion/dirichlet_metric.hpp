@@ -21,7 +21,7 @@ class DirichletMetric {
   // Pattern, values and symbolic factorization.
   explicit DirichletMetric(const DistortionProblem& problem);
 
-  // Once, before the first solve(). What the result is not ok for has a message.
+  // Once, before the first solve().
   sparse::FactorResult factorize() { return solver_->factorize(matrix_); }
 
   // Degrees of freedom that are not pinned.
@@ -37,7 +37,7 @@ class DirichletMetric {
   double shift() const { return shift_; }
   double typical_stiffness() const { return typical_stiffness_; }  // the median of the diagonal
 
-  // |H|_2 to three digits, by power iteration from a fixed start.
+  // |H|_2 by power iteration from a fixed start, until it changes by less than 1e-3 of it.
   double norm() const;
 
   // Null when everything is pinned.

@@ -1,10 +1,13 @@
-// What projecting the Hessian costs a quadrature point, from F: our batches beside the three ways that Smith,
-// de Goes, Kim (2019, section 6) compare with, on the F of a mesh twisted by 90 degrees (inverted
+// What projecting the Hessian costs a quadrature point, from F: our batches beside the four ways that Smith,
+// de Goes, Kim (2019, section 6.2) compare with, on the F of a mesh twisted by 90 degrees (inverted
 // tetrahedra are left out). One thread.
 //
 //   isostretch_projection_methods hand.mesh [energy ...]
 //
-// The three rivals get psi's derivatives from the same energies; SVD and eigen-decompositions are Eigen's.
+// The rivals get psi's derivatives from the same energies; SVD and eigen-decompositions are Eigen's.
+#include "../src/distortion/stomakhin_rule.hpp"
+#include "../src/distortion/teran_rule.hpp"
+
 #include <isostretch/energies/registry.hpp>
 #include <isostretch/linalg/decompositions.hpp>
 #include <isostretch/mesh/element_arrays.hpp>
@@ -91,17 +94,10 @@ Matrix12 element_block(const Matrix9& H, const Eigen::Matrix3d& g, double weight
   return weight * D.transpose() * H * D;
 }
 
-template <class Matrix>
-Matrix positive_part(const Matrix& H) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(H);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
-         eigen.eigenvectors().transpose();
-}
-
 // The exact Hessians are made beforehand and not timed: only their projection is.
 double numerical_9x9(const Points& points, const std::vector<Matrix9>& exact) {
   return nanoseconds(points, [&] {
-    for (const Matrix9& H : exact) sink += positive_part(H)(0, 0);
+    for (const Matrix9& H : exact) sink += baselines::nearest_semidefinite<9>(H)(0, 0);
   });
 }
 
@@ -110,19 +106,37 @@ double numerical_12x12(const Points& points, const std::vector<Matrix9>& exact) 
   for (std::size_t i = 0; i < exact.size(); ++i)
     blocks.push_back(element_block(exact[i], points.gradients[i], points.weights[i]));
   return nanoseconds(points, [&] {
-    for (const Matrix12& K : blocks) sink += positive_part(K)(0, 0);
+    for (const Matrix12& K : blocks) sink += baselines::nearest_semidefinite<12>(K)(0, 0);
   });
 }
 
-// Stomakhin et al. (2012): in the frame of the singular vectors the Hessian is a 3x3 block and three 2x2
-// blocks; these are projected and rotated back. From F, with the SVD, as it has to be there.
-double stomakhin(const Points& points, const energies::AnyEnergy& energy) {
+// Hessian over vec(F) from its entries in the frame of the singular vectors: vec(U X V^T) = (V x U) vec(X).
+Matrix9 rotated_back(const Eigen::Matrix3d& U, const Eigen::Matrix3d& V,
+                     const invariants::StretchDerivatives<3, double>& d) {
+  Matrix9 local = Matrix9::Zero(), rotation;
+  for (int i = 0; i < 3; ++i) {
+    const int j = invariants::first<3>(i), k = invariants::second<3>(i);
+    local(4 * i, 4 * i) = d.diagonal[i];
+    local(4 * j, 4 * k) = local(4 * k, 4 * j) = d.coupling[i];
+    local(j + 3 * k, j + 3 * k) = local(k + 3 * j, k + 3 * j) = 0.5 * (d.flip[i] + d.twist[i]);
+    local(j + 3 * k, k + 3 * j) = local(k + 3 * j, j + 3 * k) = 0.5 * (d.flip[i] - d.twist[i]);
+  }
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) rotation.block<3, 3>(3 * r, 3 * c) = V(r, c) * U;
+  return rotation * local * rotation.transpose();
+}
+
+// Teran et al. (2005) and Stomakhin et al. (2012): SVD, the rule in the frame of the singular vectors, and
+// back. From F, with the SVD, as it has to be there.
+template <class Rule>
+double in_singular_frame(const Points& points, const energies::AnyEnergy& energy, const Rule& rule) {
   // Derivatives with respect to the singular values, not timed: they cost each method the same.
+  std::vector<invariants::Stretch<3, double>> stretches;
   std::vector<invariants::StretchDerivatives<3, double>> derivatives;
   for (const auto& F : points.F) {
     const auto svd = linalg::signed_svd<3>(F);
-    const invariants::Stretch<3, double> stretch{{svd.sigma[0], svd.sigma[1], svd.sigma[2]}};
-    derivatives.push_back(energies::derivatives_at<3>(energy, stretch));
+    stretches.push_back({{svd.sigma[0], svd.sigma[1], svd.sigma[2]}});
+    derivatives.push_back(energies::derivatives_at<3>(energy, stretches.back()));
   }
   return nanoseconds(points, [&] {
     for (std::size_t i = 0; i < points.F.size(); ++i) {
@@ -130,28 +144,9 @@ double stomakhin(const Points& points, const energies::AnyEnergy& energy) {
       Eigen::Matrix3d U = svd.matrixU(), V = svd.matrixV();
       if (U.determinant() < 0) U.col(2) *= -1;
       if (V.determinant() < 0) V.col(2) *= -1;
-      const auto& d = derivatives[i];
-      Eigen::Matrix3d A = Eigen::Vector3d(d.diagonal[0], d.diagonal[1], d.diagonal[2]).asDiagonal();
-      Matrix9 local = Matrix9::Zero();
-      for (int pair = 0; pair < 3; ++pair) {
-        const int j = invariants::first<3>(pair), k = invariants::second<3>(pair);
-        A(j, k) = A(k, j) = d.coupling[pair];
-        Eigen::Matrix2d B;
-        B << 0.5 * (d.flip[pair] + d.twist[pair]), 0.5 * (d.flip[pair] - d.twist[pair]),
-            0.5 * (d.flip[pair] - d.twist[pair]), 0.5 * (d.flip[pair] + d.twist[pair]);
-        B = positive_part(B);
-        local(j + 3 * k, j + 3 * k) = B(0, 0);
-        local(k + 3 * j, k + 3 * j) = B(1, 1);
-        local(j + 3 * k, k + 3 * j) = local(k + 3 * j, j + 3 * k) = B(0, 1);
-      }
-      A = positive_part(A);
-      for (int j = 0; j < 3; ++j)
-        for (int k = 0; k < 3; ++k) local(4 * j, 4 * k) = A(j, k);
-      Matrix9 rotation;  // vec(U X V^T) = (V x U) vec(X)
-      for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c) rotation.block<3, 3>(3 * r, 3 * c) = V(r, c) * U;
-      const Matrix9 H = rotation * local * rotation.transpose();
-      sink += H(0, 0);
+      auto d = derivatives[i];
+      rule(stretches[i], d);
+      sink += rotated_back(U, V, d)(0, 0);
     }
   });
 }
@@ -194,10 +189,10 @@ int run(int argc, char** argv) {
   if (argc < 2) throw Error("arguments: tetrahedral mesh, energies");
   const Points points = twisted(mesh::read_tets(argv[1]));
   std::vector<std::string> names(argv + 2, argv + argc);
-  if (names.empty()) names = {"arap", "symmetric_dirichlet", "symmetric_arap"};
+  if (names.empty()) names = {"symmetric_dirichlet", "symmetric_arap", "st_venant_kirchhoff"};
   std::printf(
-      "| %zu points | indefinite | ours 9x9 | ours 12x12 | numerical 9x9 | numerical 12x12 | Stomakhin-type "
-      "|\n",
+      "| %zu points | indefinite | ours 9x9 | ours 12x12 | numerical 9x9 | numerical 12x12 | Teran | "
+      "Stomakhin |\n",
       points.F.size());
   for (const std::string& name : names) {
     const auto energy = energies::make_energy(name);
@@ -209,10 +204,14 @@ int run(int argc, char** argv) {
     }
     const double nine = ours(points, energy, false), twelve = ours(points, energy, true);
     const double rival9 = numerical_9x9(points, exact), rival12 = numerical_12x12(points, exact),
-                 rivalS = stomakhin(points, energy);
-    std::printf("| %s | %.0f %% | %.0f ns | %.0f ns | %.0f ns, %.1fx | %.0f ns, %.1fx | %.0f ns, %.1fx |\n",
-                name.c_str(), 100.0 * static_cast<double>(indefinite) / static_cast<double>(points.F.size()),
-                nine, twelve, rival9, rival9 / nine, rival12, rival12 / twelve, rivalS, rivalS / nine);
+                 teran = in_singular_frame(points, energy, baselines::TeranRule{}),
+                 stomakhin = in_singular_frame(points, energy, baselines::StomakhinRule{});
+    std::printf(
+        "| %s | %.0f %% | %.0f ns | %.0f ns | %.0f ns, %.1fx | %.0f ns, %.1fx | %.0f ns, %.1fx | %.0f ns, "
+        "%.1fx |\n",
+        name.c_str(), 100.0 * static_cast<double>(indefinite) / static_cast<double>(points.F.size()), nine,
+        twelve, rival9, rival9 / nine, rival12, rival12 / twelve, teran, teran / nine, stomakhin,
+        stomakhin / nine);
   }
   return std::isfinite(sink) ? 0 : 1;
 }

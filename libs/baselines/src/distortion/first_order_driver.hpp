@@ -22,7 +22,7 @@ class SharedPieces {
   newton::Objective& objective() { return *objective_; }
   DirichletMetric& metric() { return *metric_; }
 
-  double value(const Vector& x);
+  double value(const Vector& x);  // its count is the caller's: Iteration::evaluations
   newton::Evaluation differentiate(const Vector& x, Vector& gradient);
   sparse::FactorResult factorize();
   void solve(const Vector& right, Vector& direction);  // with the metric
@@ -42,7 +42,8 @@ class SharedPieces {
 // What a method makes of an iterate: the next one, and the columns of the trace that it knows.
 struct Step {
   bool taken = false;
-  bool at_roundoff = false;  // taken although, or not taken because, the gain is below the rounding of energies
+  bool at_roundoff =
+      false;  // taken although, or not taken because, the gain is below the rounding of energies
   Vector x;
   newton::Iteration row;
 };
@@ -61,7 +62,8 @@ Step search_step(const Iterate& from, const Vector& direction, const newton::Opt
 
 // Runs a method from x, which ends as the last iterate. All stop alike: by the gradient at the iterates, for
 // which one is evaluated in every iteration, also where the method itself has no use for it; by the limits;
-// or where neither energy nor gradient improves any more. A step that fails is tried once more after a restart.
+// or where neither energy nor gradient improves any more. A step that fails is tried once more after a
+// restart.
 newton::Summary minimize_first_order(FirstOrderMethod& method, const DistortionProblem& problem, Vector& x,
                                      const MethodOptions& options, const newton::IterationCallback& callback);
 

@@ -22,5 +22,10 @@ std::vector<Method> element_projection();
 std::vector<Method> eigenvalue_methods();
 std::vector<Method> slim();
 std::vector<Method> killing();
+std::vector<Method> quadratic_proxy_methods();
+std::vector<Method> local_global_methods();
+std::vector<Method> anderson_methods();
+std::vector<Method> lbfgs_methods();
+std::vector<Method> bcqn_methods();
 
 }  // namespace isostretch::baselines

@@ -13,7 +13,8 @@ namespace {
 std::vector<Method> registry() {
   std::vector<Method> all;
   for (const auto& family :
-       {newton_methods, point_projection, element_projection, eigenvalue_methods, slim, killing})
+       {newton_methods, point_projection, element_projection, eigenvalue_methods, slim, killing,
+        quadratic_proxy_methods, local_global_methods, anderson_methods, lbfgs_methods, bcqn_methods})
     for (Method& method : family()) all.push_back(std::move(method));
   return all;
 }

@@ -1,0 +1,103 @@
+// Anderson-accelerated local-global (Peng, Deng, Zhang, Geng, Qin, Liu 2018): with the map G of LocalGlobal
+// and residuals f_k = G(x_k) - x_k,
+//
+//   x_next = G(x_k) - sum_j theta_j (G(x_{k-j+1}) - G(x_{k-j})),
+//   theta  = argmin |f_k - sum_j theta_j (f_{k-j+1} - f_{k-j})|^2,  j = 1 ... at most 5,
+//
+// where that lowers the energy, and G(x_k) where it does not; the history is kept then.
+//
+// Deviation: the small least-squares problem is solved by its normal equations with columns of unit length
+// and a rank-revealing factorization.
+#include "local_global.hpp"
+#include "method_registry.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+
+namespace isostretch::baselines {
+namespace {
+
+constexpr std::size_t window = 5;
+
+class Anderson final : public FirstOrderMethod {
+ public:
+  explicit Anderson(const DistortionProblem& problem) : map_(problem) {}
+
+  Step step(const Iterate& at, SharedPieces& pieces) override {
+    Vector image;
+    map_.apply(at.x, pieces, image);
+    const Vector residual = image - at.x;
+    remember(image, residual);
+    Vector accelerated = image;
+    if (!differences_.empty()) accelerated -= combination(residual);
+    const bool lower = !differences_.empty() && pieces.value(accelerated) < at.energy;
+    Step step = full_step_to(at, image);
+    if (lower) step.x.swap(accelerated);
+    step.row.evaluations = differences_.empty() ? 0 : 1;
+    return step;
+  }
+
+  bool restart() override {
+    const bool any = last_image_.size() > 0;
+    differences_.clear();
+    last_image_.resize(0);
+    return any;
+  }
+
+ private:
+  struct Difference {
+    Vector image, residual;
+  };
+
+  void remember(const Vector& image, const Vector& residual) {
+    if (last_image_.size() > 0) {
+      differences_.push_front({image - last_image_, residual - last_residual_});
+      if (differences_.size() > window) differences_.pop_back();
+    }
+    last_image_ = image;
+    last_residual_ = residual;
+  }
+
+  // sum_j theta_j (difference of images)_j.
+  Vector combination(const Vector& residual) const {
+    const auto size = static_cast<Eigen::Index>(differences_.size());
+    Eigen::MatrixXd normal(size, size);
+    Eigen::VectorXd right(size), length(size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      length[i] = std::max(difference(i).residual.norm(), 1e-300);
+      right[i] = difference(i).residual.dot(residual) / length[i];
+    }
+    for (Eigen::Index i = 0; i < size; ++i)
+      for (Eigen::Index j = 0; j < size; ++j)
+        normal(i, j) = difference(i).residual.dot(difference(j).residual) / (length[i] * length[j]);
+    const Eigen::VectorXd theta = normal.completeOrthogonalDecomposition().solve(right);
+    Vector sum = Vector::Zero(residual.size());
+    for (Eigen::Index i = 0; i < size; ++i) sum += theta[i] / length[i] * difference(i).image;
+    return sum;
+  }
+
+  const Difference& difference(Eigen::Index i) const { return differences_[static_cast<std::size_t>(i)]; }
+
+  LocalGlobal map_;
+  std::deque<Difference> differences_;  // newest first
+  Vector last_image_, last_residual_;
+};
+
+newton::Summary run(const DistortionProblem& problem, Vector& x, const MethodOptions& options,
+                    const newton::IterationCallback& callback) {
+  Anderson method(problem);
+  return minimize_first_order(method, problem, x, options, callback);
+}
+
+}  // namespace
+
+std::vector<Method> anderson_methods() {
+  return {{{"anderson", "Anderson-accelerated local-global", "Peng et al. 2018", Family::constant_metric},
+           unsuited_to_local_global,
+           run}};
+}
+
+}  // namespace isostretch::baselines
