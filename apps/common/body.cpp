@@ -2,6 +2,7 @@
 
 #include "common/exit_code.hpp"
 #include "common/figures/edges.hpp"
+#include "common/fingerprint.hpp"
 #include "common/formatted.hpp"
 #include "common/terminal.hpp"
 
@@ -15,8 +16,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -324,14 +323,10 @@ std::string Body::element_text(int element) const {
 }
 
 std::string Body::fingerprint() const {
-  std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
-  const auto add = [&](const void* data, std::size_t bytes) {
-    const auto* byte = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < bytes; ++i) hash = (hash ^ byte[i]) * 1099511628211ULL;
-  };
-  add(nodes.data(), static_cast<std::size_t>(nodes.size()) * sizeof(double));
-  add(elements.nodes.data(), elements.nodes.size() * sizeof(int));
-  return formatted("%016llx", static_cast<unsigned long long>(hash));
+  Fingerprint fingerprint;
+  fingerprint.add(nodes);
+  fingerprint.add(elements.nodes);
+  return fingerprint.text();
 }
 
 std::string plural_name(mesh::Shape shape) {

@@ -8,24 +8,35 @@
 
 namespace isostretch::app {
 
+namespace {
+
+constexpr const char* trace_columns =
+    "iteration,seconds,energy,gradient_inf_norm,step,decrement,filter_strength,points_filtered,"
+    "factorizations,evaluations";
+
+std::string trace_line(const newton::Iteration& row) {
+  std::string text = std::to_string(row.iteration);
+  for (const double value :
+       {row.seconds, row.energy, row.gradient_inf_norm, row.step, row.decrement, row.filter_strength})
+    text.append(1, ',').append(exact_text(value));
+  text.append(1, ',').append(std::to_string(row.points_filtered));
+  text.append(1, ',').append(std::to_string(row.factorizations));
+  return text.append(1, ',').append(std::to_string(row.evaluations));
+}
+
+}  // namespace
+
+std::string trace_csv(const newton::Summary& summary) {
+  std::string text = std::string(trace_columns) + '\n';
+  for (const newton::Iteration& row : summary.trace) text.append(trace_line(row)).append(1, '\n');
+  return text;
+}
+
 std::string trace_csv(const newton::Summary& summary, const std::string& name,
                       const std::vector<int>& column) {
-  std::string text =
-      std::string() +
-      "iteration,seconds,energy,gradient_inf_norm,step,decrement,filter_strength,points_filtered,"
-      "factorizations,evaluations," +
-      name + "\n";
-  for (std::size_t i = 0; i < summary.trace.size(); ++i) {
-    const newton::Iteration& row = summary.trace[i];
-    text.append(std::to_string(row.iteration));
-    for (const double value :
-         {row.seconds, row.energy, row.gradient_inf_norm, row.step, row.decrement, row.filter_strength})
-      text.append(1, ',').append(exact_text(value));
-    text.append(1, ',').append(std::to_string(row.points_filtered));
-    text.append(1, ',').append(std::to_string(row.factorizations));
-    text.append(1, ',').append(std::to_string(row.evaluations));
-    text.append(1, ',').append(std::to_string(column.at(i))).append(1, '\n');
-  }
+  std::string text = std::string(trace_columns) + ',' + name + '\n';
+  for (std::size_t i = 0; i < summary.trace.size(); ++i)
+    text.append(trace_line(summary.trace[i])).append(1, ',').append(std::to_string(column.at(i))) += '\n';
   return text;
 }
 

@@ -9,7 +9,9 @@
 
 namespace isostretch::app {
 
-// Every iteration a line, numbers with all their digits, and one column more that the app gives.
+// Every iteration a line, numbers with all their digits.
+std::string trace_csv(const newton::Summary& summary);
+// With one column more that the app gives.
 std::string trace_csv(const newton::Summary& summary, const std::string& name,
                       const std::vector<int>& column);
 

@@ -35,10 +35,11 @@ int StrainField::worst_element() const {
   return static_cast<int>(std::min_element(min_det.begin(), min_det.end()) - min_det.begin());
 }
 
-Strain::Strain(const Body& body) : body_(body), assembler_(body.elements, energies::make_energy("arap")) {}
+Strain::Strain(const assembly::Elements& elements)
+    : elements_(elements), assembler_(elements, energies::make_energy("arap")) {}
 
 StrainField Strain::at(const Vector& positions) const {
-  const assembly::Elements& e = body_.elements;
+  const assembly::Elements& e = elements_;
   const auto points = static_cast<std::size_t>(e.points_per_element), dim = static_cast<std::size_t>(e.dim);
   const auto count = static_cast<std::size_t>(e.element_count());
   StrainField field;

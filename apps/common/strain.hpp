@@ -1,8 +1,8 @@
 #pragma once
 
-#include "common/body.hpp"
-
+#include <isostretch/assembly/elements.hpp>
 #include <isostretch/assembly/energy_assembler.hpp>
+#include <isostretch/core/vector.hpp>
 
 #include <vector>
 
@@ -21,11 +21,12 @@ struct StrainField {
 
 class Strain {
  public:
-  explicit Strain(const Body& body);
+  // The elements must live longer.
+  explicit Strain(const assembly::Elements& elements);
   StrainField at(const Vector& positions) const;
 
  private:
-  const Body& body_;
+  const assembly::Elements& elements_;
   assembly::EnergyAssembler assembler_;
 };
 

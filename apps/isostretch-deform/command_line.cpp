@@ -4,8 +4,8 @@
 #include "common/exit_code.hpp"
 #include "common/handle_text.hpp"
 #include "common/json_value.hpp"
+#include "common/material.hpp"
 #include "common/validators.hpp"
-#include "material.hpp"
 #include "scene.hpp"
 #include "scene_reader.hpp"
 

@@ -32,7 +32,7 @@ class Job {
                          return reading_scene(command_line.input(),
                                               [&] { return Problem(scene_, body_, rig_); });
                        })),
-        strain_(body_),
+        strain_(body_.elements),
         result_{scene_, body_, rig_, problem_, Outcome::finished, {}, Json::array(), {}, {}, 0, {}} {
     reading_scene(command_line.input(), [&] { require_holds(scene_.format, body_); });
     warn_of_loose_components();

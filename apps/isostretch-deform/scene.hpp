@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/choice_names.hpp"
 #include "common/frames.hpp"
+#include "common/guess.hpp"
 #include "common/handle_script.hpp"
 #include "common/output_folder.hpp"
 
@@ -15,18 +15,6 @@
 #include <vector>
 
 namespace isostretch::app::deform {
-
-// Where the minimisation of a frame starts from.
-enum class Guess {
-  rest,        // the rest shape with the handles moved
-  previous,    // the frame before with the handles moved
-  harmonic,    // the frame before, and the further way of the handles spread over the body
-  biharmonic,  // the same, smoother at the handles
-};
-inline constexpr ChoiceNames<Guess, 4> guess_names{{{"rest", Guess::rest},
-                                                    {"previous", Guess::previous},
-                                                    {"harmonic", Guess::harmonic},
-                                                    {"biharmonic", Guess::biharmonic}}};
 
 struct RegionSpec {
   std::string path;  // in the scene, for messages

@@ -48,8 +48,8 @@ Stepper::Stepper(const Scene& scene, const Body& body, const Rig& rig, Problem& 
       body_(body),
       rig_(rig),
       problem_(problem),
-      guesser_(scene, body, rig, std::move(warn)),
-      strain_(body),
+      guesser_(scene.guess, body, rig, std::move(warn)),
+      strain_(body.elements),
       time_limit_(time_limit) {}
 
 FrameResult Stepper::advance(int frame, Vector& positions) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "guess.hpp"
+#include "common/guess.hpp"
 #include "problem.hpp"
 
 #include <isostretch/core/timer.hpp>

@@ -99,7 +99,7 @@ std::string draw_energies(const Result& r) {
             {"Smallest det F of a frame",
              {{"against the first pose", first_color, "min_det_F_1"},
               {"against the second", second_color, "min_det_F_2"}}});
-  return canvas.png();
+  return canvas.file();
 }
 
 }  // namespace isostretch::app::interpolate

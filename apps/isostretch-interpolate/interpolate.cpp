@@ -38,7 +38,7 @@ class Job {
                                require_holds(options_.format, poses_.first);
                                return choose_shape_energy(options_, poses_.first.dim);
                              })),
-        strains_{Strain(poses_.first), Strain(poses_.second)},
+        strains_{Strain(poses_.first.elements), Strain(poses_.second.elements)},
         interpolator_(options_, poses_, energy_),
         result_{options_, poses_, energy_} {
     if (!energy_.has_barrier())

@@ -40,7 +40,7 @@ std::string caption(const Result& r, const Snapshot& shot) {
 
 std::string draw_frames(const Result& r) {
   const Body& body = r.poses.first;
-  const Strain strain(body);
+  const Strain strain(body.elements);
   std::vector<figures::DeformedState> states;
   for (const Snapshot& shot : r.snapshots) {
     StrainField field = strain.at(shot.positions);

@@ -38,7 +38,7 @@ class Match {
     name_files_from_anywhere();
     runs_.scene_file = out_ / "scene.json";
     runs_.weights_cache = options_.weights_cache.empty() ? out_ / "weights" : options_.weights_cache;
-    runs_.identity = program_stamp() + '\n' + fingerprint_ + '\n' + scene_.dump();
+    runs_.identity = fingerprint_ + '\n' + scene_.dump();
     runs_.refine = command_line.refine();
     runs_.threads = common.threads;
   }

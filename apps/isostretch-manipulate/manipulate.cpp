@@ -36,7 +36,7 @@ class Job {
         scene_(read_scene(command_line, json_, body_)),
         rig_(read_rig(command_line, scene_, body_)),
         photo_(read_photo(command_line)),
-        strain_(body_),
+        strain_(body_.elements),
         range_(read_range(options_, scene_)) {}
 
   ExitCode run(const CommandLine& command_line) {

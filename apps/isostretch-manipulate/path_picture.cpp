@@ -164,7 +164,7 @@ std::string draw_path(const Result& r, const Strain& strain) {
     draw_captions(canvas, {corner.x + 0.5 * view_width, top + view_height + 2}, iterates[i]->row);
   }
   draw_plots(canvas, plots, r.last.summary.trace);
-  return canvas.png();
+  return canvas.file();
 }
 
 }  // namespace isostretch::app::manipulate

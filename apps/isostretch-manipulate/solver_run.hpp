@@ -2,11 +2,11 @@
 
 #include "comparison.hpp"
 
-#include <isostretch/baselines/process.hpp>
 #include <isostretch/baselines/solver.hpp>
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace isostretch::app::manipulate {
 
@@ -23,21 +23,15 @@ struct Run {
 // Runs of this very program with one solver each, on one frame of a scene, every one in its own process.
 struct SolverRuns {
   std::filesystem::path scene_file, weights_cache;
-  std::string identity;  // what results depend on besides the arguments of a run
+  std::string identity;  // what results depend on besides the program and the arguments of a run
   int refine = 1, frame = 1;
   int threads = 0;  // 0: as the program likes
 
-  // What came of it. A run that is there already, made of the same, is not made again; one that Ctrl-C ended
-  // is.
+  // What came of it, made now or, of the same, before.
   Contestant contestant(const baselines::SolverInfo& info, const Run& run) const;
 
  private:
-  baselines::Command command(const Run& run) const;
-  std::string account(const Run& run) const;
-  baselines::ProcessResult execute(const Run& run) const;
+  std::vector<std::string> arguments(const Run& run) const;
 };
-
-// By which results of another build are known: size and time of this program's file.
-std::string program_stamp();
 
 }  // namespace isostretch::app::manipulate

@@ -1,7 +1,9 @@
 #include "common/figures/axis.hpp"
 #include "common/figures/canvas.hpp"
+#include "common/figures/comparison_plot.hpp"
 #include "common/figures/distortion_scale.hpp"
 #include "common/figures/raster.hpp"
+#include "common/number_table.hpp"
 #include "common/numbers.hpp"
 #include "common/output_folder.hpp"
 #include "scratch.hpp"
@@ -77,7 +79,34 @@ TEST_CASE("long titles are shortened between characters") {
   CHECK(text.find("…") != std::string::npos);
   CHECK(canvas.text_width(text) <= 100);
   CHECK(canvas.shortened("short", 100) == "short");
-  CHECK(canvas.png().substr(1, 3) == "PNG");
+  CHECK(canvas.file().substr(1, 3) == "PNG");
+}
+
+TEST_CASE("comparisons are drawn as pixels and as shapes, whatever the numbers") {
+  const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+  ComparisonPanel empty{"empty", "x", true, true, {{}, {}}};
+  ComparisonPanel odd{"odd", "x", true, true, {{{0, 0}, {1, nan}, {2, inf}, {3, 1e-300}}, {{1, 1}}}};
+  odd.lowest_y = 1e-13;
+  odd.levels = {1e-4, 1e30};
+  const std::vector<std::string> names{"one & <two>", ""};
+  const auto draw = [&](PictureFormat format) {
+    return draw_comparison("title", "subtitle", names, {empty, odd}, 2, format);
+  };
+  CHECK(draw(PictureFormat::png).substr(1, 3) == "PNG");
+  const std::string svg = draw(PictureFormat::svg);
+  CHECK(svg.find("<svg") != std::string::npos);
+  CHECK(svg.find("nan") == std::string::npos);
+  CHECK(svg.find("inf") == std::string::npos);
+}
+
+TEST_CASE("tables of numbers: names on top, cut off lines left out") {
+  const NumberTable table("a,b\n1,2\n3,\n4\n5,x\n6,7,8\n");
+  REQUIRE(table.rows() == 3);
+  CHECK(table.at(0, "b") == 2);
+  CHECK(std::isnan(table.at(1, "b")));
+  CHECK(table.at(2, "a") == 5);
+  CHECK(std::isnan(table.at(0, "c")));
+  CHECK(NumberTable("").rows() == 0);
 }
 
 TEST_CASE("an output folder is filled at once or not at all") {

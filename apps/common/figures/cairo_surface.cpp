@@ -1,9 +1,8 @@
 #include "common/figures/cairo_surface.hpp"
 
 namespace isostretch::app::figures {
-namespace {
 
-cairo_status_t append(void* text, const unsigned char* data, unsigned int size) {
+cairo_status_t append_bytes(void* text, const unsigned char* data, unsigned int size) {
   try {
     static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(data), size);
     return CAIRO_STATUS_SUCCESS;
@@ -12,11 +11,9 @@ cairo_status_t append(void* text, const unsigned char* data, unsigned int size) 
   }
 }
 
-}  // namespace
-
 std::string png_bytes(cairo_surface_t* surface) {
   std::string bytes;
-  require_drawn(cairo_surface_write_to_png_stream(surface, append, &bytes));
+  require_drawn(cairo_surface_write_to_png_stream(surface, append_bytes, &bytes));
   return bytes;
 }
 

@@ -2,6 +2,7 @@
 
 #include <isostretch/core/error.hpp>
 
+#include <cairo-svg.h>
 #include <cairo.h>
 
 #include <memory>
@@ -22,6 +23,9 @@ inline void require_drawn(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS)
     throw Error(std::string("cannot draw the picture: ") + cairo_status_to_string(status));
 }
+
+// For what cairo writes as a stream: appends to the std::string `text`.
+cairo_status_t append_bytes(void* text, const unsigned char* data, unsigned int size);
 
 // As the bytes of a PNG file.
 std::string png_bytes(cairo_surface_t* surface);

@@ -3,6 +3,7 @@
 #include "common/figures/cairo_surface.hpp"
 #include "common/utf8.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -33,9 +34,22 @@ bool begins_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
 }
 
+// Lengths drawn and left out, in turns.
+struct DashPattern {
+  std::array<double, 4> lengths;
+  int count;
+};
+
+const DashPattern& pattern_of(Dash dash) {
+  static constexpr DashPattern patterns[] = {{{}, 0}, {{9, 4}, 2}, {{2.5, 2.5}, 2}, {{10, 3, 2.5, 3}, 4}};
+  return patterns[static_cast<int>(dash)];
+}
+
 }  // namespace
 
 struct Canvas::State {
+  PictureFormat format = PictureFormat::png;
+  std::string svg;  // so far; the surface appends to it
   CairoSurface surface;
   CairoContext context;
 
@@ -44,6 +58,8 @@ struct Canvas::State {
   void use(const LineStyle& style) const {
     cairo_set_source_rgba(cr(), style.color.r, style.color.g, style.color.b, style.opacity);
     cairo_set_line_width(cr(), style.width);
+    const DashPattern& pattern = pattern_of(style.dash);
+    cairo_set_dash(cr(), pattern.lengths.data(), pattern.count, 0);
   }
   void use(Color color) const { cairo_set_source_rgb(cr(), color.r, color.g, color.b); }
   void use(const TextStyle& style) const {
@@ -54,8 +70,11 @@ struct Canvas::State {
   }
 };
 
-Canvas::Canvas(int width, int height) : state_(std::make_unique<State>()) {
-  state_->surface.reset(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+Canvas::Canvas(int width, int height, PictureFormat format) : state_(std::make_unique<State>()) {
+  state_->format = format;
+  state_->surface.reset(format == PictureFormat::png
+                            ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)
+                            : cairo_svg_surface_create_for_stream(append_bytes, &state_->svg, width, height));
   require_drawn(cairo_surface_status(state_->surface.get()));
   state_->context.reset(cairo_create(state_->surface.get()));
   cairo_set_line_join(state_->cr(), CAIRO_LINE_JOIN_ROUND);
@@ -124,6 +143,13 @@ void Canvas::ring(Point at, double radius, const LineStyle& style) {
   cairo_stroke(state_->cr());
 }
 
+void Canvas::polygon(const std::vector<Point>& corners, Color color) {
+  state_->use(color);
+  for (const Point& p : corners) cairo_line_to(state_->cr(), p.x, p.y);
+  cairo_close_path(state_->cr());
+  cairo_fill(state_->cr());
+}
+
 void Canvas::fill(const Box& box, Color color) {
   state_->use(color);
   cairo_rectangle(state_->cr(), box.x, box.y, box.width, box.height);
@@ -151,9 +177,12 @@ void Canvas::image(const Raster& raster, Point corner) {
   cairo_paint(state_->cr());
 }
 
-std::string Canvas::png() const {
+std::string Canvas::file() {
   require_drawn(cairo_status(state_->cr()));
-  return png_bytes(state_->surface.get());
+  if (state_->format == PictureFormat::png) return png_bytes(state_->surface.get());
+  cairo_surface_finish(state_->surface.get());
+  require_drawn(cairo_surface_status(state_->surface.get()));
+  return state_->svg;
 }
 
 }  // namespace isostretch::app::figures

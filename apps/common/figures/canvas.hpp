@@ -31,16 +31,21 @@ struct TextStyle {
   bool vertical = false;        // read from bottom to top
 };
 
+enum class Dash { solid, dashed, dotted, dash_dotted };
+
 struct LineStyle {
   Color color{0.15, 0.15, 0.15};
   double width = 1;
   double opacity = 1;
+  Dash dash = Dash::solid;
 };
 
-// An antialiased picture in memory, white at the start, drawn with cairo.
+enum class PictureFormat { png, svg };
+
+// A picture in memory, white at the start, drawn with cairo: antialiased pixels, or shapes of any size.
 class Canvas {
  public:
-  Canvas(int width, int height);
+  Canvas(int width, int height, PictureFormat format = PictureFormat::png);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
@@ -54,12 +59,13 @@ class Canvas {
   void polyline(const std::vector<Point>& points, const LineStyle& style);
   void dot(Point at, double radius, Color color);
   void ring(Point at, double radius, const LineStyle& style);
+  void polygon(const std::vector<Point>& corners, Color color);
   void fill(const Box& box, Color color);
   void frame(const Box& box, const LineStyle& style = {});
   void image(const Raster& raster, Point corner);
 
-  // The picture as the bytes of a PNG file.
-  std::string png() const;
+  // The picture as the bytes of a file of its format; nothing can be drawn any more.
+  std::string file();
 
  private:
   struct State;

@@ -33,7 +33,7 @@ std::string checker_texture() {
   for (int row = 0; row < texture_cells; ++row)
     for (int column = 0; column < texture_cells; ++column)
       draw_cell(canvas, column, row, static_cast<double>(size) / texture_cells);
-  return canvas.png();
+  return canvas.file();
 }
 
 }  // namespace isostretch::app::figures

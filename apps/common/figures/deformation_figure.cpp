@@ -39,7 +39,7 @@ std::string draw_deformation(const DeformationFigure& figure) {
   const Box box{width - margin - scale_width + 10, top + 40, scale_width - 10, height - top - margin - 80};
   canvas.text({box.right(), box.y - 34}, "largest change of length", {.size = 12, .across = Align::end});
   draw_distortion_scale(canvas, box, scale, figure.flat ? "area" : "volume");
-  return canvas.png();
+  return canvas.file();
 }
 
 }  // namespace isostretch::app::figures

@@ -66,7 +66,7 @@ std::string draw_model(const ModelFigure& figure) {
         canvas,
         draw_view(model, normals, cameras[i], centred(boxes[i], scale, view_height), view_width, view_height),
         {margin + i * (view_width + gap), top}, model.flipped.size());
-  return canvas.png();
+  return canvas.file();
 }
 
 }  // namespace isostretch::app::figures

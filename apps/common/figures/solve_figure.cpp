@@ -24,7 +24,7 @@ std::string draw_solve(const SolveFigure& figure) {
               {.size = 12, .across = Align::end});
   draw_distortion_scale(canvas, scale_box, scale);
   draw_convergence(canvas, convergence, figure.trace, figure.chart_of_row);
-  return canvas.png();
+  return canvas.file();
 }
 
 }  // namespace isostretch::app::figures

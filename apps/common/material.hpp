@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace isostretch::app::deform {
+namespace isostretch::app {
 
 // Lame parameters of small strain.
 struct Lame {
@@ -24,4 +24,4 @@ std::map<std::string, double> material_parameters(const std::string& energy, con
 
 std::vector<std::string> energies_with_material();
 
-}  // namespace isostretch::app::deform
+}  // namespace isostretch::app

@@ -1,4 +1,4 @@
-#include "material.hpp"
+#include "common/material.hpp"
 
 #include "common/choice_names.hpp"
 #include "common/formatted.hpp"
@@ -8,7 +8,7 @@
 #include <functional>
 #include <utility>
 
-namespace isostretch::app::deform {
+namespace isostretch::app {
 namespace {
 
 using Parameters = std::map<std::string, double>;
@@ -72,4 +72,4 @@ std::vector<std::string> energies_with_material() {
   return names;
 }
 
-}  // namespace isostretch::app::deform
+}  // namespace isostretch::app

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "common/choice_names.hpp"
 #include "common/rig.hpp"
-#include "scene.hpp"
 
 #include <isostretch/handles/spread.hpp>
 
@@ -10,16 +10,28 @@
 #include <string>
 #include <vector>
 
-namespace isostretch::app::deform {
+namespace isostretch::app {
+
+// Where the minimisation of a frame starts from.
+enum class Guess {
+  rest,        // the rest shape with the handles moved
+  previous,    // the frame before with the handles moved
+  harmonic,    // the frame before, and the further way of the handles spread over the body
+  biharmonic,  // the same, smoother at the handles
+};
+inline constexpr ChoiceNames<Guess, 4> guess_names{{{"rest", Guess::rest},
+                                                    {"previous", Guess::previous},
+                                                    {"harmonic", Guess::harmonic},
+                                                    {"biharmonic", Guess::biharmonic}}};
 
 using Warn = std::function<void(const std::string&)>;
 
 // Starts of minimisations; hard handles are in their places to the bit.
 class Guesser {
  public:
-  // A guess is only a guess: where the way of the handles cannot be spread as the scene says, it is spread in
+  // A guess is only a guess: where the way of the handles cannot be spread as asked, it is spread in
   // a simpler way or not at all, and `warn` is told so once.
-  Guesser(const Scene& scene, const Body& body, const Rig& rig, Warn warn);
+  Guesser(Guess kind, const Body& body, const Rig& rig, Warn warn);
 
   // `positions` solve the problem at time `from`. `again`: the guess of the whole step was outside the domain
   // of the energy, and the step is taken in parts, for which the rest shape is no start.
@@ -48,4 +60,4 @@ class Guesser {
   std::vector<Way> ways_;  // the best first
 };
 
-}  // namespace isostretch::app::deform
+}  // namespace isostretch::app

@@ -1,4 +1,4 @@
-#include "guess.hpp"
+#include "common/guess.hpp"
 
 #include "common/formatted.hpp"
 #include "common/terminal.hpp"
@@ -7,7 +7,7 @@
 
 #include <utility>
 
-namespace isostretch::app::deform {
+namespace isostretch::app {
 namespace {
 
 // In space factors grow much faster than the body: beyond so many nodes only the harmonic system, which
@@ -24,8 +24,8 @@ sparse::Options multigrid() {
 
 }  // namespace
 
-Guesser::Guesser(const Scene& scene, const Body& body, const Rig& rig, Warn warn)
-    : body_(body), rig_(rig), kind_(scene.guess), rest_(body.rest_positions()), warn_(std::move(warn)) {
+Guesser::Guesser(Guess kind, const Body& body, const Rig& rig, Warn warn)
+    : body_(body), rig_(rig), kind_(kind), rest_(body.rest_positions()), warn_(std::move(warn)) {
   choose_ways();
   for (std::size_t way = 0; way < ways_.size(); ++way)
     if (prepare(way)) break;
@@ -88,4 +88,4 @@ Vector Guesser::guess(const Vector& positions, double from, double to, bool agai
   return x;
 }
 
-}  // namespace isostretch::app::deform
+}  // namespace isostretch::app

@@ -1,0 +1,55 @@
+#include "common/energy_reader.hpp"
+
+#include "common/energy_choice.hpp"
+#include "common/material.hpp"
+
+#include <map>
+
+namespace isostretch::app {
+namespace {
+
+Lame read_material(const JsonValue& value, int dim) {
+  value.only({"young", "poisson", "mu", "lambda"});
+  const bool engineer = value.has("young") || value.has("poisson");
+  if (engineer == (value.has("mu") || value.has("lambda")))
+    value.fail("give young and poisson, or mu and lambda");
+  const Lame material =
+      engineer
+          ? naming(value,
+                   [&] { return lame_from_young(value.at("young").number(), value.at("poisson").number()); })
+          : Lame{value.at("mu").number(), value.at("lambda").number()};
+  naming(value, [&] { require_stable(material, dim); });
+  return material;
+}
+
+std::map<std::string, double> read_parameters(const std::optional<JsonValue>& value) {
+  std::map<std::string, double> parameters;
+  if (!value) return parameters;
+  if (!value->is_object()) value->fail("must be an object {...}");
+  for (const auto& [name, number] : value->json().items()) parameters[name] = value->at(name).number();
+  return parameters;
+}
+
+}  // namespace
+
+energies::AnyEnergy read_energy(const JsonValue& owner, int dim, const std::optional<JsonValue>& fallback) {
+  auto energy = owner.find("energy");
+  if (!energy && fallback) energy = fallback->find("energy");
+  if (!energy) owner.fail("'energy' is missing");
+  if (!energy->is_text()) energy->only({"name", "parameters"});
+  const JsonValue name = energy->is_text() ? *energy : energy->at("name");
+  auto parameters = read_parameters(energy->find("parameters"));
+  auto material = owner.find("material");
+  if (!material && fallback && !owner.has("energy")) material = fallback->find("material");
+  naming(name, [&] { return choose_energy(name.text(), {}, dim); });
+  if (material) {
+    const Lame lame = read_material(*material, dim);
+    const auto from_material = naming(*material, [&] { return material_parameters(name.text(), lame, dim); });
+    for (const auto& [key, number] : from_material)
+      if (!parameters.emplace(key, number).second)
+        material->fail("sets the parameter '" + key + "', which the energy sets too");
+  }
+  return naming(*energy, [&] { return choose_energy(name.text(), parameters, dim); });
+}
+
+}  // namespace isostretch::app

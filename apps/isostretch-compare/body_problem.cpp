@@ -1,0 +1,75 @@
+#include "body_problem.hpp"
+
+#include "common/body_reader.hpp"
+#include "common/energy_reader.hpp"
+#include "common/exit_code.hpp"
+#include "common/guess.hpp"
+#include "common/handle_reader.hpp"
+#include "common/rig.hpp"
+#include "common/terminal.hpp"
+
+#include <cmath>
+
+namespace isostretch::app::compare {
+namespace {
+
+Body read_body(const JsonValue& value, const std::filesystem::path& folder) {
+  BodySpec spec;
+  read_mesh(value.at("mesh"), folder, spec);
+  if (const auto order = value.find("order")) spec.order = order->whole(1, 2);
+  if (const auto quadrature = value.find("quadrature")) spec.quadrature = quadrature->whole(1, 5);
+  const auto load = [&] { return load_body(spec); };
+  return spec.generated ? naming(value.at("mesh"), load) : failing_with(ExitCode::input, load);
+}
+
+HandleScript read_script(const JsonValue& value, int dim) {
+  HandleScript script = read_handle_script(value, dim, Holding::hard, 1);
+  for (const HandleSpec& handle : script.handles)
+    if (handle.soft)
+      throw Error(handle.path + ".soft: only hard handles are compared, which all methods know");
+  return script;
+}
+
+// Where handles hold, and nodes of no element, which nothing moves.
+std::vector<int> pinned_nodes(const Rig& rig, const Body& body) {
+  std::vector<int> pinned = rig.hard_nodes();
+  const std::vector<int> component = assembly::component_of_nodes(body.elements);
+  for (std::size_t node = 0; node < component.size(); ++node)
+    if (component[node] < 0) pinned.push_back(static_cast<int>(node));
+  return pinned;
+}
+
+Vector guessed_start(Guess guess, const HandleScript& script, const Body& body, const Rig& rig) {
+  const double from = rig.comes_from_rest() ? script.rest_time() : script.start;
+  return Guesser(guess, body, rig, [](const std::string& what) { warn(what); })
+      .guess(body.rest_positions(), from, script.end, false);
+}
+
+// Lengths are multiplied so that the rest has volume 1, and gradients are comparable among bodies.
+void scale_to_unit_volume(double volume, assembly::Elements& elements, Vector& positions) {
+  const double factor = std::pow(volume, -1.0 / elements.dim);
+  for (double& weight : elements.weights) weight /= volume;
+  for (double& gradient : elements.gradients) gradient /= factor;
+  positions *= factor;
+}
+
+}  // namespace
+
+Problem body_problem(const JsonValue& value, const std::filesystem::path& folder) {
+  value.only({"name", "mesh", "energy", "material", "handles", "guess", "order", "quadrature"});
+  const Body body = read_body(value, folder);
+  const energies::AnyEnergy energy = read_energy(value, body.dim);
+  const HandleScript script = read_script(value, body.dim);
+  const Rig rig(script, body);
+  const auto guess = value.find("guess");
+  const Guess kind = guess ? guess->choice(guess_names) : Guess::biharmonic;
+  Problem problem{
+      {},
+      {body.elements, energy, pinned_nodes(rig, body)},
+      guessed_start(kind, script, body, rig),
+      {{"kind", plural_name(body.shape)}, {"mesh", body.name}, {"guess", name_of(guess_names, kind)}}};
+  scale_to_unit_volume(body.volume(), problem.distortion.elements, problem.start);
+  return problem;
+}
+
+}  // namespace isostretch::app::compare

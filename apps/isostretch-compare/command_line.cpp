@@ -1,0 +1,208 @@
+#include "command_line.hpp"
+
+#include "common/choice_names.hpp"
+#include "common/energy_choice.hpp"
+#include "common/exit_code.hpp"
+#include "common/numbers.hpp"
+#include "common/scene_input.hpp"
+#include "common/validators.hpp"
+#include "scene_reader.hpp"
+
+#include <isostretch/baselines/distortion.hpp>
+#include <isostretch/core/error.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <set>
+
+namespace isostretch::app::compare {
+namespace {
+
+// One line a method, as --list-methods prints it.
+std::string method_table() {
+  std::string table;
+  for (const baselines::MethodInfo& info : baselines::methods())
+    table.append(info.name).append("  ").append(info.title).append(", ").append(info.source).append("\n");
+  return table;
+}
+
+using Parameters = std::map<std::string, double>;
+
+// Those of the parameters that the energy has.
+Parameters parameters_of(const std::string& energy, const Parameters& all) {
+  Parameters own;
+  const energies::AnyEnergy chosen = choose_energy(energy, {}, 2);
+  for (const auto& parameter : chosen.parameters())
+    if (const auto found = all.find(parameter.name); found != all.end()) own.insert(*found);
+  return own;
+}
+
+std::string without_odd_characters(std::string name) {
+  for (char& c : name)
+    if (!may_be_in_name(c)) c = '_';
+  return name;
+}
+
+// The file's name with the energy's; numbered where that is taken.
+std::string unused_name(const std::string& mesh, const std::string& energy, std::set<std::string>& taken) {
+  const std::string name = without_odd_characters(std::filesystem::path(mesh).stem().string() + "_" + energy);
+  std::string unused = name;
+  for (int number = 2; !taken.insert(unused).second; ++number) unused = name + "_" + std::to_string(number);
+  return unused;
+}
+
+}  // namespace
+
+void CommandLine::declare(CLI::App& cli) {
+  declare_problems(cli);
+  declare_methods(cli);
+  declare_single_run(cli);
+}
+
+void CommandLine::declare_problems(CLI::App& cli) {
+  auto* meshes =
+      cli.add_option("mesh", meshes_, "Surfaces to flatten, disks: OBJ, OFF, PLY, STL, MSH, MESH, VTK or VTU")
+          ->type_name("MESH");
+  auto* energy = cli.add_option("-e,--energy", energies_,
+                                "Of the meshes; several with commas; --list-energies shows all")
+                     ->type_name("NAME[,NAME...]")
+                     ->capture_default_str();
+  auto* parameters =
+      cli.add_option("-p,--param", parameters_,
+                     "Parameters of the energies that have them: name=value[,name=value...]; may be repeated")
+          ->allow_extra_args(false)
+          ->type_name("NAME=VALUE");
+  cli.add_option("--scene", scene_file_, "Instead of meshes: problems and settings (JSON)")
+      ->excludes(meshes)
+      ->excludes(energy)
+      ->excludes(parameters)
+      ->type_name("FILE");
+  cli.add_option("-o,--out", out_, "Folder for report.html, comparison.json, tables, plots, and all runs")
+      ->required()
+      ->type_name("FOLDER");
+  cli.add_flag("--no-picture", no_picture_, "Draw no plots");
+  cli.add_flag_callback(
+         "--list-energies",
+         [] {
+           std::cout << "In the plane:\n"
+                     << energy_table(2) << "\nIn space (scenes):\n"
+                     << energy_table(3) << std::flush;
+           throw CLI::Success{};
+         },
+         "List the energies and their parameters, and exit")
+      ->trigger_on_parse();
+}
+
+void CommandLine::declare_methods(CLI::App& cli) {
+  const Limits defaults;
+  cli.add_option("-m,--method", methods_, "These only, names with commas; --list-methods shows all")
+      ->type_name("NAME[,NAME...]")
+      ->default_str("all");
+  cli.add_flag_callback(
+         "--list-methods",
+         [] {
+           std::cout << method_table() << std::flush;
+           throw CLI::Success{};
+         },
+         "List the methods, and exit")
+      ->trigger_on_parse();
+  cli.add_option("--grad-tol", gradient_tolerance_,
+                 "A run ends at |gradient|_inf <= this, with a rest of area or volume 1")
+      ->check(not_negative())
+      ->type_name("X")
+      ->default_str(exact_text(defaults.gradient_tolerance));
+  cli.add_option("--max-iterations", max_iterations_, "Of a run")
+      ->check(whole_number_between(0, 1'000'000'000))
+      ->type_name("N")
+      ->default_str(std::to_string(defaults.max_iterations));
+  cli.add_option("--time-limit", time_limit_, "Seconds for a run; 0: no limit")
+      ->check(not_negative())
+      ->type_name("SECONDS")
+      ->default_str(exact_text(defaults.time_limit));
+  cli.add_option("--memory-limit", memory_limit_,
+                 "Megabytes for the process of a run, at least 256; 0: no limit")
+      ->check(not_negative())
+      ->type_name("MB")
+      ->default_str("0");
+  cli.add_option("--repeat", repetitions_, "Runs of each method on each problem; the median counts")
+      ->check(whole_number_between(1, 1000))
+      ->type_name("N")
+      ->default_str(std::to_string(Options().repetitions));
+}
+
+void CommandLine::declare_single_run(CLI::App& cli) {
+  const char* group = "One run, as the program calls itself";
+  auto* scene = cli.get_option("--scene");
+  auto* run =
+      cli.add_option("--run", run_, "Run the one --method on this problem of the scene; no comparison")
+          ->needs(scene)
+          ->needs(cli.get_option("--method"))
+          ->type_name("PROBLEM")
+          ->group(group);
+  cli.add_option("--from", from_, "Start there instead: positions.bin of another run")
+      ->needs(run)
+      ->type_name("FILE")
+      ->group(group);
+}
+
+void CommandLine::add_problems(Json& scene) const {
+  const Parameters parameters = parse_parameters(parameters_);
+  Parameters unused = parameters;
+  std::set<std::string> taken;
+  for (const std::string& mesh : meshes_)
+    for (const std::string& energy : split(energies_, ',')) {
+      const auto own = naming_option("--energy", [&] { return parameters_of(energy, parameters); });
+      for (const auto& [name, value] : own) unused.erase(name);
+      scene["problems"].push_back({{"name", unused_name(mesh, energy, taken)},
+                                   {"mesh", std::filesystem::absolute(mesh).string()},
+                                   {"energy", {{"name", energy}, {"parameters", Json(own)}}}});
+    }
+  if (!unused.empty())
+    throw Error("--param: none of the energies has a parameter '" + unused.begin()->first + "'");
+}
+
+Json CommandLine::scene() const {
+  if (!scene_file_.empty() && !is_scene_file(scene_file_))
+    throw Failure(ExitCode::command_line,
+                  "--scene: a scene is FILE.json, not '" + scene_file_.string() + "'");
+  Json scene = scene_object(scene_file_, scene_keys());
+  if (scene_file_.empty()) {
+    if (meshes_.empty())
+      throw Failure(ExitCode::command_line, "there is nothing to compare on: give a mesh, or --scene");
+    failing_with(ExitCode::command_line, [&] { add_problems(scene); });
+  }
+  if (methods_) scene["methods"] = split(*methods_, ',');
+  if (gradient_tolerance_) scene["gradient_tolerance"] = *gradient_tolerance_;
+  if (max_iterations_) scene["max_iterations"] = *max_iterations_;
+  if (time_limit_) scene["time_limit"] = *time_limit_;
+  if (memory_limit_) scene["memory_limit"] = *memory_limit_;
+  if (repetitions_) scene["repetitions"] = *repetitions_;
+  return scene;
+}
+
+Options CommandLine::options(const Json& scene) const {
+  if (methods_)
+    failing_with(ExitCode::command_line, [&] {
+      return naming_option("--method", [&] { return choose_methods(split(*methods_, ',')); });
+    });
+  Options options = reading_scene(scene_file_, [&] { return read_options(scene); });
+  options.out = out_;
+  options.picture = !no_picture_;
+  return options;
+}
+
+SingleRun CommandLine::single_run() const {
+  SingleRun run;
+  const Json json = scene();
+  const Options all = options(json);
+  if (all.methods.size() != 1) throw Failure(ExitCode::command_line, "--run: takes one --method");
+  run.problem = run_;
+  run.method = all.methods.front();
+  run.limits = all.limits;
+  run.from = from_;
+  run.out = all.out;
+  return run;
+}
+
+}  // namespace isostretch::app::compare

@@ -1,0 +1,74 @@
+#include "problem.hpp"
+
+#include "body_problem.hpp"
+#include "common/exit_code.hpp"
+#include "common/fingerprint.hpp"
+#include "common/formatted.hpp"
+#include "common/strain.hpp"
+#include "scene_reader.hpp"
+#include "surface_problem.hpp"
+
+#include <isostretch/assembly/energy_assembler.hpp>
+
+#include <cmath>
+
+namespace isostretch::app::compare {
+namespace {
+
+double energy_at_start(const Problem& problem) {
+  assembly::EnergyAssembler assembler(problem.distortion.elements, problem.distortion.energy);
+  return assembler.value(problem.start.data()).value;
+}
+
+void require_finite_start(const Problem& problem) {
+  if (std::isfinite(energy_at_start(problem))) return;
+  const StrainField strain = Strain(problem.distortion.elements).at(problem.start);
+  throw Failure(ExitCode::input,
+                "problem '" + problem.name + "': the energy '" + problem.distortion.energy.name() +
+                    "' is not finite at the start, where element " + std::to_string(strain.worst_element()) +
+                    formatted(" has det F = %.3g; move the handles less far, or choose another guess",
+                              strain.smallest_det()));
+}
+
+// By which results of another problem of the same name are known.
+std::string fingerprint(const Problem& problem) {
+  const assembly::Elements& elements = problem.distortion.elements;
+  Fingerprint print;
+  print.add(elements.nodes);
+  print.add(elements.gradients);
+  print.add(elements.weights);
+  print.add(problem.distortion.pinned);
+  print.add(problem.start);
+  return print.text();
+}
+
+void add_facts(Problem& problem) {
+  const assembly::Elements& elements = problem.distortion.elements;
+  Json parameters = Json::object();
+  for (const auto& parameter : problem.distortion.energy.parameters())
+    parameters[parameter.name] = parameter.value;
+  problem.facts.update({{"dim", elements.dim},
+                        {"elements", elements.element_count()},
+                        {"nodes", elements.node_count},
+                        {"pinned", problem.distortion.pinned.size()},
+                        {"energy", problem.distortion.energy.name()},
+                        {"parameters", parameters},
+                        {"start_energy", energy_at_start(problem)},
+                        {"fingerprint", fingerprint(problem)}});
+}
+
+}  // namespace
+
+int Problem::flips(const Vector& x) const {
+  return static_cast<int>(Strain(distortion.elements).at(x).inverted.size());
+}
+
+Problem read_problem(const JsonValue& value, const std::filesystem::path& folder) {
+  Problem problem = value.has("handles") ? body_problem(value, folder) : surface_problem(value, folder);
+  problem.name = problem_name(value);
+  require_finite_start(problem);
+  add_facts(problem);
+  return problem;
+}
+
+}  // namespace isostretch::app::compare

@@ -1,0 +1,96 @@
+#include "single_run.hpp"
+
+#include "common/choice_names.hpp"
+#include "common/interrupt.hpp"
+#include "common/machine.hpp"
+#include "common/newton_report.hpp"
+#include "common/scene_input.hpp"
+#include "common/terminal.hpp"
+#include "problem.hpp"
+#include "scene_reader.hpp"
+
+#include <isostretch/baselines/distortion.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <string_view>
+
+namespace isostretch::app::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+Problem problem_named(const std::string& name, const Json& scene, const fs::path& scene_file) {
+  return reading_scene(scene_file, [&] {
+    std::vector<std::string> names;
+    for (const JsonValue& value : read_problem_list(scene)) {
+      if (problem_name(value) == name) return read_problem(value, scene_folder(scene_file));
+      names.push_back(problem_name(value));
+    }
+    throw Failure(ExitCode::command_line,
+                  "--run: there is no problem '" + name + "'; there are " + listed(names));
+  });
+}
+
+Vector read_positions(const fs::path& file, Eigen::Index size) {
+  Vector x(size);
+  const auto bytes = static_cast<std::streamsize>(static_cast<std::size_t>(size) * sizeof(double));
+  std::ifstream in(file, std::ios::binary);
+  if (!in || !fs::is_regular_file(file) || fs::file_size(file) != static_cast<std::uintmax_t>(bytes) ||
+      !in.read(reinterpret_cast<char*>(x.data()), bytes))
+    throw Failure(ExitCode::input,
+                  file.string() + ": must hold " + std::to_string(size) + " numbers of this problem");
+  return x;
+}
+
+std::string_view bytes_of(const Vector& x) {
+  return {reinterpret_cast<const char*>(x.data()), static_cast<std::size_t>(x.size()) * sizeof(double)};
+}
+
+newton::Summary minimize(const SingleRun& run, const Problem& problem, Vector& x) {
+  const baselines::MethodOptions options{run.limits.gradient_tolerance, run.limits.max_iterations,
+                                         run.limits.time_limit};
+  newton::Summary summary = baselines::minimize(
+      run.method, problem.distortion, x, options, [](const newton::Iteration& row, const Vector&) {
+        show_progress(progress_line(row));
+        return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
+      });
+  if (summary.status == newton::Status::stopped_by_callback) summary.message = "interrupted (Ctrl-C)";
+  return summary;
+}
+
+Json summary_json(const SingleRun& run, const Problem& problem, const newton::Summary& summary,
+                  const Vector& x) {
+  Json json{{"problem", problem.name}, {"method", run.method}};
+  json.update(solve_json(summary));
+  json.update({{"failed", newton::failed(summary.status)},
+               {"seconds", phases_json(summary.seconds)},
+               {"flips", problem.flips(x)},
+               {"facts", problem.facts},
+               {"machine", machine_json()}});
+  return json;
+}
+
+ExitCode exit_code(const newton::Summary& summary) {
+  if (newton::failed(summary.status)) return ExitCode::solver_failed;
+  return summary.converged() ? ExitCode::success : ExitCode::not_converged;
+}
+
+}  // namespace
+
+ExitCode run_single(const SingleRun& run, const Json& scene, const fs::path& scene_file) {
+  const Problem problem = problem_named(run.problem, scene, scene_file);
+  Vector x = run.from.empty() ? problem.start : read_positions(run.from, problem.start.size());
+  OutputFolder folder(run.out);
+  const newton::Summary summary =
+      failing_with(ExitCode::solver_failed, [&] { return minimize(run, problem, x); });
+  folder.add("trace.csv", trace_csv(summary));
+  folder.add("positions.bin", bytes_of(x));
+  folder.add_json("summary.json", summary_json(run, problem, summary, x));
+  folder.commit();
+  print(summary.brief_report() + "\n");
+  return exit_code(summary);
+}
+
+}  // namespace isostretch::app::compare

@@ -1,0 +1,71 @@
+#include "surface_problem.hpp"
+
+#include "common/energy_reader.hpp"
+#include "common/exit_code.hpp"
+
+#include <isostretch/atlas/start.hpp>
+#include <isostretch/mesh/check.hpp>
+#include <isostretch/mesh/generators.hpp>
+#include <isostretch/mesh/io.hpp>
+
+#include <limits>
+
+namespace isostretch::app::compare {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Surface {
+  std::string name;  // for messages and reports
+  mesh::SurfaceMesh mesh;
+};
+
+// A file, or {"face": {"rings": N}}.
+Surface read_surface(const JsonValue& value, const fs::path& folder) {
+  if (!value.is_text()) {
+    const int rings =
+        value.only({"face"}).at("face").only({"rings"}).at("rings").whole(1, std::numeric_limits<int>::max());
+    return {"face", naming(value, [&] { return mesh::procedural_face(rings); })};
+  }
+  const fs::path file = folder / value.text();
+  return {file.string(), failing_with(ExitCode::input, [&] { return mesh::read_surface(file.string()); })};
+}
+
+void require_disk(const Surface& surface) {
+  try {
+    mesh::require_disk(surface.mesh);
+  } catch (const Error& error) {
+    throw Failure(ExitCode::input, surface.name + ": " + error.what() +
+                                       "; what is compared flattens disks: open the surface first, "
+                                       "isostretch-parameterize can");
+  }
+}
+
+// As isostretch-parameterize starts: Tutte's embedding with uniform weights on a circle, of the rest's area.
+Vector tutte_start(const Surface& surface, const mesh::ElementArrays& rest) {
+  const atlas::StartResult start = atlas::flip_free_start(surface.mesh, rest);
+  if (start.uv.rows() == 0) throw Error("no start: " + start.message);
+  return Eigen::Map<const Vector>(start.uv.data(), start.uv.size());
+}
+
+}  // namespace
+
+Problem surface_problem(const JsonValue& value, const fs::path& folder) {
+  value.only({"name", "mesh", "energy", "material"});
+  const energies::AnyEnergy energy = read_energy(value, 2);
+  const Surface surface = read_surface(value.at("mesh"), folder);
+  require_disk(surface);
+  Problem problem{
+      {}, {{}, energy, {}}, {}, {{"kind", "surface"}, {"mesh", fs::path(surface.name).filename()}}};
+  failing_with(ExitCode::input, [&] {
+    naming_file(surface.name, [&] {
+      mesh::ElementArrays rest = mesh::flat_elements(surface.mesh);
+      mesh::scale_to_total_weight(rest, 1);
+      problem.start = tutte_start(surface, rest);
+      problem.distortion.elements = assembly::elements_from(std::move(rest));
+    });
+  });
+  return problem;
+}
+
+}  // namespace isostretch::app::compare

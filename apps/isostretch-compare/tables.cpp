@@ -1,0 +1,211 @@
+#include "tables.hpp"
+
+#include "common/numbers.hpp"
+#include "verdicts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace isostretch::app::compare {
+namespace {
+
+using Cells = std::vector<std::pair<std::string, Json>>;  // name of the column, and value
+
+Json known(const Json& summary, const char* key) {
+  return summary.is_object() && summary.contains(key) ? summary.at(key) : Json();
+}
+
+// Infinite and unknown numbers are null in JSON.
+Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+// "seconds" makes seconds_median, seconds_least, seconds_most and seconds_repetition.
+void add_spread(const std::string& name, const Spread& spread, Cells& cells) {
+  cells.emplace_back(name + "_median", finite(spread.median));
+  cells.emplace_back(name + "_least", finite(spread.least));
+  cells.emplace_back(name + "_most", finite(spread.most));
+  cells.emplace_back(name + "_repetition", spread.repetition > 0 ? Json(spread.repetition) : Json());
+}
+
+std::string column_of(const Goal& goal) {
+  return goal.error ? "seconds_to_" + goal.name() : "seconds_to_gradient_tolerance";
+}
+
+Cells run_cells(const ProblemResult& problem, const Entry& entry, const Run& run, const Limits& limits) {
+  Cells cells{{"problem", problem.name},
+              {"method", entry.info.name},
+              {"repetition", run.repetition},
+              {"status", run.status},
+              {"converged", run.converged},
+              {"iterations", known(run.summary, "iterations")},
+              {"factorizations", known(run.summary, "factorizations")},
+              {"seconds", finite(run.seconds)},
+              {"energy", finite(run.energy())},
+              {"relative_error", finite(problem.relative_error(run.energy()))},
+              {"gradient_inf_norm", known(run.summary, "gradient_inf_norm")},
+              {"flips", known(run.summary, "flips")},
+              {"peak_megabytes", run.peak_megabytes}};
+  for (const Goal& goal : all_goals(limits))
+    cells.emplace_back(column_of(goal), finite(seconds_to(goal, problem, run, limits)));
+  cells.emplace_back("folder", run.folder);
+  cells.emplace_back("message", run.message);
+  return cells;
+}
+
+void add_phases(const PhaseTimes& times, Cells& cells) {
+  for (const auto& [name, value] : {std::pair("assembly", times.assembly),
+                                    {"factorization", times.factorization},
+                                    {"solve", times.solve},
+                                    {"line_search", times.line_search},
+                                    {"other", times.other},
+                                    {"total", times.total}})
+    cells.emplace_back(std::string("ms_per_iteration_") + name, finite(value));
+}
+
+Cells method_cells(const ProblemResult& problem, const Entry& entry, const Limits& limits) {
+  const Run* run = entry.typical();
+  const Json summary = run != nullptr ? run->summary : Json();
+  const double energy = run != nullptr ? run->energy() : unknown;
+  Cells cells{{"problem", problem.name},
+              {"method", entry.info.name},
+              {"family", baselines::family_name(entry.info.family)},
+              {"status", entry.unsuited.empty() ? entry.status() : "unsuited"},
+              {"iterations", known(summary, "iterations")},
+              {"factorizations", known(summary, "factorizations")},
+              {"energy", finite(energy)},
+              {"relative_error", finite(problem.relative_error(energy))},
+              {"flips", known(summary, "flips")}};
+  add_spread("seconds", total_seconds(entry), cells);
+  add_phases(milliseconds_per_iteration(entry), cells);
+  for (const Goal& goal : all_goals(limits))
+    add_spread(column_of(goal), time_to(goal, problem, entry, limits), cells);
+  add_spread("peak_megabytes", peak_megabytes(entry), cells);
+  cells.emplace_back("message", !entry.unsuited.empty() ? entry.unsuited
+                                : run != nullptr        ? run->message
+                                                        : "");
+  return cells;
+}
+
+Json as_object(const Cells& cells) {
+  Json object = Json::object();
+  for (const auto& [name, value] : cells) object[name] = value;
+  return object;
+}
+
+// Texts in quotes where they need them.
+std::string csv_cell(const Json& value) {
+  if (value.is_null()) return "";
+  if (value.is_number_float()) return exact_text(value.get<double>());
+  if (!value.is_string()) return value.dump();
+  std::string text = value.get<std::string>();
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + '"';
+}
+
+std::string csv_table(const std::vector<Cells>& rows) {
+  std::string text;
+  const auto add_line = [&](const Cells& cells, const auto& cell) {
+    for (std::size_t i = 0; i < cells.size(); ++i) text.append(i > 0 ? "," : "").append(cell(cells[i]));
+    text += '\n';
+  };
+  if (!rows.empty()) add_line(rows.front(), [](const auto& entry) { return entry.first; });
+  for (const Cells& cells : rows) add_line(cells, [](const auto& entry) { return csv_cell(entry.second); });
+  return text;
+}
+
+Json race_json(const Race& race) {
+  return {{"goal", race.goal.name()},
+          {"first", race.first},
+          {"first_seconds", finite(race.first_seconds)},
+          {"default_is_first", race.default_is_first()},
+          {"default_seconds", finite(race.default_seconds)},
+          {"best_rival", race.best_rival},
+          {"best_rival_seconds", finite(race.rival_seconds)},
+          {"best_rival_over_default", finite(race.rival_factor())}};
+}
+
+Json method_json(const ProblemResult& problem, const Entry& entry, const Limits& limits) {
+  Json json = as_object(method_cells(problem, entry, limits));
+  json.erase("problem");
+  json["title"] = entry.info.title;
+  json["source"] = entry.info.source;
+  json["runs"] = Json::array();
+  for (const Run& run : entry.runs) {
+    json["runs"].push_back(as_object(run_cells(problem, entry, run, limits)));
+    json["runs"].back()["seconds_by_phase"] = known(run.summary, "seconds");
+  }
+  return json;
+}
+
+Json problem_json(const ProblemResult& problem, const Limits& limits) {
+  Json json{{"name", problem.name},
+            {"facts", problem.facts},
+            {"optimum", finite(problem.optimum)},
+            {"optimum_of", problem.optimum_of},
+            {"optimum_folder", problem.optimum_folder},
+            {"optimum_polished", problem.polished},
+            {"other_minima", Json::array()},
+            {"races", Json::array()},
+            {"methods", Json::array()}};
+  for (const OtherMinimum& other : problem.elsewhere)
+    json["other_minima"].push_back({{"method", other.method}, {"energy", other.energy}});
+  for (const Goal& goal : chief_goals(limits))
+    json["races"].push_back(race_json(race(goal, problem, limits)));
+  for (const Entry& entry : problem.entries) json["methods"].push_back(method_json(problem, entry, limits));
+  return json;
+}
+
+Json profile_json(const Profile& profile) {
+  Json curves = Json::array();
+  for (const Profile::Curve& curve : profile.curves) {
+    Json factors = Json::array();
+    for (const double factor : curve.factors) factors.push_back(finite(factor));
+    curves.push_back({{"method", curve.method}, {"factors", factors}});
+  }
+  return {{"goal", profile.goal.name()}, {"methods", curves}};
+}
+
+}  // namespace
+
+std::string run_table(const Comparison& comparison) {
+  std::vector<Cells> rows;
+  for (const ProblemResult& problem : comparison.problems)
+    for (const Entry& entry : problem.entries)
+      for (const Run& run : entry.runs)
+        rows.push_back(run_cells(problem, entry, run, comparison.options.limits));
+  return csv_table(rows);
+}
+
+std::string method_table(const Comparison& comparison) {
+  std::vector<Cells> rows;
+  for (const ProblemResult& problem : comparison.problems)
+    for (const Entry& entry : problem.entries)
+      rows.push_back(method_cells(problem, entry, comparison.options.limits));
+  return csv_table(rows);
+}
+
+Json comparison_json(const Comparison& comparison) {
+  const Limits& limits = comparison.options.limits;
+  Json json{{"date", comparison.date},
+            {"machine", comparison.machine},
+            {"default", default_method()},
+            {"repetitions", comparison.options.repetitions},
+            {"gradient_tolerance", limits.gradient_tolerance},
+            {"max_iterations", limits.max_iterations},
+            {"time_limit", limits.time_limit},
+            {"memory_limit", limits.memory_limit},
+            {"problems", Json::array()}};
+  for (const ProblemResult& problem : comparison.problems)
+    json["problems"].push_back(problem_json(problem, limits));
+  if (comparison.problems.size() < 2) return json;
+  json["profiles"] = Json::array();
+  for (const Profile& profile : performance_profiles(comparison))
+    json["profiles"].push_back(profile_json(profile));
+  return json;
+}
+
+}  // namespace isostretch::app::compare

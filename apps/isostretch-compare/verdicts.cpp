@@ -1,0 +1,108 @@
+#include "verdicts.hpp"
+
+#include "common/formatted.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace isostretch::app::compare {
+namespace {
+
+constexpr double least_chief_error = 1e-9;
+
+std::string seconds_text(double seconds) {
+  return formatted("%.3g s", seconds);
+}
+
+// Where the default is first.
+std::string lead(const Race& race) {
+  std::string text = race.first + " is first, after " + seconds_text(race.first_seconds);
+  if (race.best_rival.empty()) return text + "; no rival gets there";
+  return text + "; the best rival, " + race.best_rival + ", takes " + seconds_text(race.rival_seconds) +
+         formatted(", %.2f times as long", race.rival_factor());
+}
+
+bool ends_elsewhere(const ProblemResult& problem, std::string_view method) {
+  return std::any_of(problem.elsewhere.begin(), problem.elsewhere.end(),
+                     [&](const OtherMinimum& other) { return other.method == method; });
+}
+
+std::string why_not_there(const ProblemResult& problem) {
+  const std::string name = default_method();
+  const auto entry = std::find_if(problem.entries.begin(), problem.entries.end(),
+                                  [&](const Entry& e) { return e.info.name == name; });
+  if (entry == problem.entries.end() || entry->runs.empty()) return name + " was not run";
+  if (!entry->has_converged()) return name + " does not: " + entry->status();
+  return name +
+         (ends_elsewhere(problem, name) ? " ends at another minimum" : " ended at its tolerance before");
+}
+
+std::string lag(const ProblemResult& problem, const Race& race) {
+  const std::string text = race.first + " is first, after " + seconds_text(race.first_seconds) + "; ";
+  if (std::isinf(race.default_seconds)) return text + why_not_there(problem);
+  return text + default_method() + " takes " + seconds_text(race.default_seconds) +
+         formatted(", %.2f times as long", race.factor());
+}
+
+std::string verdict(const ProblemResult& problem, const Race& race, const Limits& limits) {
+  const std::string goal = goal_text(race.goal, limits) + ": ";
+  if (race.first.empty()) return goal + "nobody gets there; " + why_not_there(problem);
+  return goal + (race.default_is_first() ? lead(race) : lag(problem, race));
+}
+
+int ended_early(const ProblemResult& problem) {
+  return static_cast<int>(
+      std::count_if(problem.entries.begin(), problem.entries.end(), [&](const Entry& entry) {
+        return entry.has_converged() && !ends_elsewhere(problem, entry.info.name) &&
+               problem.relative_error(entry.typical()->energy()) > least_chief_error;
+      }));
+}
+
+std::string other_minima(const ProblemResult& problem) {
+  std::string text;
+  for (const OtherMinimum& other : problem.elsewhere)
+    text += (text.empty() ? "" : "; ") + other.method +
+            formatted(" %.10g (%.2g)", other.energy, problem.relative_error(other.energy));
+  return "methods end at different minima, and their errors are those of the minimum: with the share above "
+         "the least in brackets, " +
+         text;
+}
+
+}  // namespace
+
+std::string goal_text(const Goal& goal, const Limits& limits) {
+  return goal.error ? "relative error " + goal.name()
+                    : formatted("|gradient|_inf %.0e", limits.gradient_tolerance);
+}
+
+std::vector<std::string> verdicts(const ProblemResult& problem, const Limits& limits) {
+  std::vector<std::string> lines;
+  for (const Goal& goal : chief_goals(limits))
+    lines.push_back(verdict(problem, race(goal, problem, limits), limits));
+  return lines;
+}
+
+std::vector<std::string> reservations(const ProblemResult& problem, const Limits& limits) {
+  std::vector<std::string> lines;
+  if (const int count = ended_early(problem); count > 0)
+    lines.push_back(
+        formatted("%d method(s) ended at |gradient|_inf <= %g, or where they found nothing better, with a "
+                  "relative error above %.0e; a smaller gradient tolerance may let them go on",
+                  count, limits.gradient_tolerance, least_chief_error));
+  if (std::isnan(problem.optimum)) lines.emplace_back("no method left an energy: errors are unknown");
+  if (!std::isnan(problem.optimum) && !problem.polished)
+    lines.emplace_back("the optimum is the least energy seen, not polished until round-off");
+  if (!problem.elsewhere.empty()) lines.push_back(other_minima(problem));
+  return lines;
+}
+
+std::vector<Shortfall> shortfalls(const ProblemResult& problem) {
+  std::vector<Shortfall> all;
+  for (const Entry& entry : problem.entries)
+    if (const Run* run = entry.typical(); run != nullptr && !run->converged)
+      all.push_back({std::string(entry.info.name), run->status, run->message});
+  return all;
+}
+
+}  // namespace isostretch::app::compare
