@@ -1,0 +1,243 @@
+#include "derivatives.hpp"
+
+namespace isostretch::expressions {
+
+// `node`: the function of the operand itself, which some derivatives are made of.
+Node derivative_of_function(Graph& g, const Operation& o, Node node) {
+  const Node a = o.a, one = g.constant(1);
+  switch (o.op) {
+    case Op::negate:
+      return g.constant(-1);
+    case Op::power:
+      return g.scale(o.value, g.power(a, o.value - 1));
+    case Op::sqrt:
+      return g.divide(g.constant(0.5), node);
+    case Op::cbrt:
+      return g.divide(g.constant(1.0 / 3), g.multiply(node, node));
+    case Op::exp:
+      return node;
+    case Op::expm1:
+      return g.unary(Op::exp, a);
+    case Op::log:
+      return g.divide(one, a);
+    case Op::log1p:
+      return g.divide(one, g.add(one, a));
+    case Op::sin:
+      return g.unary(Op::cos, a);
+    case Op::cos:
+      return g.negate(g.unary(Op::sin, a));
+    case Op::tan:
+      return g.add(one, g.multiply(node, node));
+    case Op::sinh:
+      return g.unary(Op::cosh, a);
+    case Op::cosh:
+      return g.unary(Op::sinh, a);
+    case Op::tanh:
+      return g.subtract(one, g.multiply(node, node));
+    case Op::atan:
+      return g.divide(one, g.add(one, g.multiply(a, a)));
+    case Op::abs:
+      return g.unary(Op::sign, a);
+    default:
+      return g.constant(0);  // sign, conditions
+  }
+}
+
+Node Derivatives::operator()(Node expression, Variable by) {
+  auto& known = known_[static_cast<int>(by)];
+  if (const auto found = known.find(expression); found != known.end()) return found->second;
+  const Node result = derive(expression, by);
+  known.emplace(expression, result);
+  return result;
+}
+
+Node Derivatives::of_variable(Variable variable, Variable by) {
+  if (variable == by) return graph_.constant(1);
+  if (invariants_ == Invariants::independent || variable > Variable::I3) return graph_.constant(0);
+  if (variable == Variable::I1) return graph_.constant(1);
+  if (variable == Variable::I2) return graph_.scale(2, graph_.variable(by));
+  Node others = graph_.constant(1);
+  for (int axis = 0; axis < dim_; ++axis)
+    if (stretch(axis) != by) others = graph_.multiply(others, graph_.variable(stretch(axis)));
+  return others;
+}
+
+Node Derivatives::derive(Node expression, Variable by) {
+  Graph& g = graph_;
+  const Operation o = g[expression];  // by value: the graph grows
+  Derivatives& D = *this;
+  switch (o.op) {
+    case Op::constant:
+    case Op::less:
+    case Op::less_equal:
+    case Op::logical_and:
+    case Op::logical_or:
+    case Op::logical_not:
+      return g.constant(0);
+    case Op::variable:
+      return of_variable(static_cast<Variable>(o.value), by);
+    case Op::add:
+      return g.add(D(o.a, by), D(o.b, by));
+    case Op::subtract:
+      return g.subtract(D(o.a, by), D(o.b, by));
+    case Op::multiply:
+      return g.add(g.multiply(D(o.a, by), o.b), g.multiply(o.a, D(o.b, by)));
+    case Op::divide:
+      return g.divide(g.subtract(D(o.a, by), g.multiply(expression, D(o.b, by))), o.b);
+    case Op::min:
+      return g.select(g.binary(Op::less, o.a, o.b), D(o.a, by), D(o.b, by));
+    case Op::max:
+      return g.select(g.binary(Op::less, o.b, o.a), D(o.a, by), D(o.b, by));
+    case Op::select:
+      return g.select(o.a, D(o.b, by), D(o.c, by));
+    default:
+      return g.multiply(derivative_of_function(g, o, expression), D(o.a, by));
+  }
+}
+
+ExchangeDifferences::ExchangeDifferences(Graph& graph, int j, int k)
+    : graph_(graph),
+      j_(j),
+      k_(k),
+      gap_(graph.subtract(graph.variable(stretch(j)), graph.variable(stretch(k)))) {}
+
+Node ExchangeDifferences::exchanged(Node expression) {
+  if (const auto found = exchanged_.find(expression); found != exchanged_.end()) return found->second;
+  const Operation o = graph_[expression];
+  Node result = expression;
+  switch (o.op) {
+    case Op::constant:
+      break;
+    case Op::variable:
+      if (o.value == static_cast<double>(stretch(j_))) result = graph_.variable(stretch(k_));
+      if (o.value == static_cast<double>(stretch(k_))) result = graph_.variable(stretch(j_));
+      break;
+    case Op::select:
+      result = graph_.select(exchanged(o.a), exchanged(o.b), exchanged(o.c));
+      break;
+    case Op::power:
+      result = graph_.power(exchanged(o.a), o.value);
+      break;
+    case Op::add:
+    case Op::subtract:
+    case Op::multiply:
+    case Op::divide:
+    case Op::min:
+    case Op::max:
+    case Op::less:
+    case Op::less_equal:
+    case Op::logical_and:
+    case Op::logical_or:
+      result = graph_.binary(o.op, exchanged(o.a), exchanged(o.b));
+      break;
+    default:
+      result = graph_.unary(o.op, exchanged(o.a));
+  }
+  exchanged_.emplace(expression, result);
+  return result;
+}
+
+Node ExchangeDifferences::operator()(Node expression) {
+  if (const auto found = differences_.find(expression); found != differences_.end()) return found->second;
+  const Node result = difference(expression);
+  differences_.emplace(expression, result);
+  return result;
+}
+
+Node ExchangeDifferences::difference(Node expression) {
+  Graph& g = graph_;
+  const Operation o = g[expression];
+  ExchangeDifferences& D = *this;
+  switch (o.op) {
+    case Op::constant:
+      return g.constant(0);
+    case Op::variable:
+      if (o.value == static_cast<double>(stretch(j_))) return g.constant(1);
+      if (o.value == static_cast<double>(stretch(k_))) return g.constant(-1);
+      return g.constant(0);
+    case Op::add:
+      return g.add(D(o.a), D(o.b));
+    case Op::subtract:
+      return g.subtract(D(o.a), D(o.b));
+    case Op::multiply:
+      return g.add(g.multiply(D(o.a), o.b), g.multiply(exchanged(o.a), D(o.b)));
+    case Op::divide:
+      return g.divide(g.subtract(D(o.a), g.multiply(exchanged(expression), D(o.b))), o.b);
+    case Op::negate:
+      return g.negate(D(o.a));
+    case Op::min:
+    case Op::max: {
+      // (a + b -+ |a - b|) / 2
+      const Node spread = D(g.unary(Op::abs, g.subtract(o.a, o.b))), sum = g.add(D(o.a), D(o.b));
+      return g.scale(0.5, o.op == Op::min ? g.subtract(sum, spread) : g.add(sum, spread));
+    }
+    case Op::select:
+      if (exchanged(o.a) == o.a) return g.select(o.a, D(o.b), D(o.c));
+      return plain(expression);
+    case Op::sign:
+    case Op::less:
+    case Op::less_equal:
+    case Op::logical_and:
+    case Op::logical_or:
+    case Op::logical_not:
+      return plain(expression);
+    default:
+      break;
+  }
+  const Node slope = D(o.a);
+  return g.multiply(of_function(o, slope), slope);
+}
+
+Node ExchangeDifferences::of_function(const Operation& o, Node slope) {
+  Graph& g = graph_;
+  const Node u = o.a, v = exchanged(u), one = g.constant(1), change = g.multiply(slope, gap_);
+  switch (o.op) {
+    case Op::sqrt:
+      return g.divide(one, g.add(g.unary(Op::sqrt, u), g.unary(Op::sqrt, v)));
+    case Op::cbrt: {
+      const Node a = g.unary(Op::cbrt, u), b = g.unary(Op::cbrt, v);
+      return g.divide(one, g.add(g.add(g.multiply(a, a), g.multiply(a, b)), g.multiply(b, b)));
+    }
+    case Op::exp:
+    case Op::expm1:
+      return g.multiply(g.unary(Op::exp, v), g.unary(Op::expm1_ratio, change));
+    case Op::log:
+      return g.divide(g.unary(Op::log1p_ratio, g.divide(change, v)), v);
+    case Op::log1p: {
+      const Node w = g.add(one, v);
+      return g.divide(g.unary(Op::log1p_ratio, g.divide(change, w)), w);
+    }
+    case Op::power: {
+      // ((1 + t)^p - 1) / t = p expm1_ratio(p log1p(t)) log1p_ratio(t)
+      const Node t = g.divide(change, v);
+      const Node bent = g.unary(Op::expm1_ratio, g.scale(o.value, g.unary(Op::log1p, t)));
+      return g.multiply(g.scale(o.value, g.power(v, o.value - 1)),
+                        g.multiply(bent, g.unary(Op::log1p_ratio, t)));
+    }
+    case Op::abs: {
+      constexpr double tiny = 1e-300;
+      const Node size = g.add(g.unary(Op::abs, u), g.unary(Op::abs, v));
+      return g.divide(g.add(u, v), g.binary(Op::max, size, g.constant(tiny)));
+    }
+    default:
+      return by_middle(o, slope);
+  }
+}
+
+Node ExchangeDifferences::plain(Node expression) {
+  const Node change = graph_.subtract(expression, exchanged(expression));
+  return graph_.select(graph_.unary(Op::abs, gap_), graph_.divide(change, gap_), graph_.constant(0));
+}
+
+Node ExchangeDifferences::by_middle(const Operation& o, Node slope) {
+  constexpr double near = 1e-5;  // the squared share of f''' beyond it, the rounding of a quotient within
+  Graph& g = graph_;
+  const Node u = o.a, v = exchanged(u), change = g.multiply(slope, gap_);
+  const Node middle = g.scale(0.5, g.add(u, v)), at_middle = g.unary(o.op, middle);
+  const Operation there = g[at_middle];
+  const Node tangent = g.is_constant(at_middle) ? g.constant(0) : derivative_of_function(g, there, at_middle);
+  const Node secant = g.divide(g.subtract(g.unary(o.op, u), g.unary(o.op, v)), change);
+  return g.select(g.binary(Op::less, g.constant(near), g.unary(Op::abs, change)), secant, tangent);
+}
+
+}  // namespace isostretch::expressions

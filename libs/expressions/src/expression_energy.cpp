@@ -1,0 +1,133 @@
+#include "expression_energy.hpp"
+
+#include "derivatives.hpp"
+#include "inspection.hpp"
+#include "kernel_table.hpp"
+#include "parser.hpp"
+
+#include <isostretch/core/dispatch.hpp>
+#include <isostretch/expressions/expression.hpp>
+#include <isostretch/invariants/stretch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace isostretch::expressions {
+
+ISOSTRETCH_DISPATCH(ExpressionKernels, expression_kernels)
+
+namespace {
+
+std::vector<Node> partials(Graph& graph, Node psi, int dim) {
+  using enum Variable;
+  Derivatives D(graph, dim, Derivatives::Invariants::independent);
+  const Node P1 = D(psi, I1), P2 = D(psi, I2), P3 = D(psi, I3);
+  return {psi, P1, P2, P3, D(P1, I1), D(P2, I2), D(P3, I3), D(P1, I2), D(P2, I3), D(P1, I3)};
+}
+
+// psi, gradient, diagonal, coupling and flips, as kernels want them.
+template <int Dim>
+std::vector<Node> by_stretches(Graph& graph, Node psi) {
+  constexpr int pairs = invariants::pair_count<Dim>;
+  Derivatives D(graph, Dim, Derivatives::Invariants::of_stretches);
+  std::vector<Node> outputs{psi};
+  for (int i = 0; i < Dim; ++i) outputs.push_back(D(psi, stretch(i)));
+  for (int i = 0; i < Dim; ++i) outputs.push_back(D(D(psi, stretch(i)), stretch(i)));
+  for (int i = 0; i < pairs; ++i)
+    outputs.push_back(D(D(psi, stretch(invariants::first<Dim>(i))), stretch(invariants::second<Dim>(i))));
+  for (int i = 0; i < pairs; ++i) {
+    const int j = invariants::first<Dim>(i), k = invariants::second<Dim>(i);
+    outputs.push_back(ExchangeDifferences(graph, j, k)(D(psi, stretch(j))));
+  }
+  return outputs;
+}
+
+// Registers of the calling thread.
+double* registers(std::size_t doubles) {
+  thread_local std::vector<double> memory;
+  if (memory.size() < doubles) memory.resize(doubles);
+  return memory.data();
+}
+
+using Kernel = void (*const (&)[2])(const Task&, const energies::StretchChunk&);
+
+void run(const Program& program, Kernel kernel, int dim, double bound, const energies::StretchChunk& chunk) {
+  double* memory = registers(static_cast<std::size_t>(program.registers) * chunk.stride);
+  kernel[dim - 2]({program.code.data(), program.code.size(), memory, program.results.data(), bound}, chunk);
+}
+
+std::string caret(std::string_view text, std::size_t position) {
+  std::string line(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  return "\n  " + line + "\n  " + std::string(std::min(position, text.size()), ' ') + "^";
+}
+
+}  // namespace
+
+ExpressionError::ExpressionError(const std::string& what, std::string_view text, std::size_t position)
+    : Error(what + " (character " + std::to_string(position + 1) + ")" + caret(text, position)),
+      position_(position) {}
+
+ExpressionEnergy::ExpressionEnergy(std::string_view text, const std::map<std::string, double>& parameters)
+    : text_(text), determinant_bound_(-std::numeric_limits<double>::infinity()) {
+  for (const auto& [name, value] : parameters) {
+    if (!std::isfinite(value)) throw Error("parameter '" + name + "' of an expression is not finite");
+    parameters_.push_back({name, value, "of the expression"});
+  }
+  for (const int dim : {2, 3}) programs_[dim - 2] = programs_for(dim, parameters);
+  require_used(parameters);
+  for (const auto& programs : programs_)
+    if (programs && programs->ends_at_zero) determinant_bound_ = 0;
+}
+
+// Nothing where the expression does not exist in that dimension.
+std::optional<ExpressionEnergy::Programs> ExpressionEnergy::programs_for(
+    int dim, const std::map<std::string, double>& parameters) const {
+  Graph graph;
+  Mentions mentions;
+  const Node psi = parse(text_, dim, parameters, graph, mentions);
+  if (mentions.stretches && mentions.third_stretch != (dim == 3)) return std::nullopt;
+  const std::string where = " (in " + std::to_string(dim) + "D)";
+  if (!finite_somewhere(graph, psi, dim))
+    throw Error("the expression is not finite at any stretch between 1/3 and 3" + where + ": " + text_);
+  if (!is_symmetric(graph, psi, dim))
+    throw Error("the expression changes when stretches are exchanged, and is no isotropic energy" + where +
+                ": " + text_);
+  Programs programs;
+  programs.ends_at_zero = ends_at_zero_determinant(graph, psi, dim);
+  programs.psi = compile(graph, {psi});
+  programs.by_partials = !mentions.stretches && !mentions.sum;
+  graph.assume_finite();
+  programs.derivatives = compile(graph, programs.by_partials ? partials(graph, psi, dim)
+                                        : dim == 2           ? by_stretches<2>(graph, psi)
+                                                             : by_stretches<3>(graph, psi));
+  return programs;
+}
+
+void ExpressionEnergy::require_used(const std::map<std::string, double>& parameters) const {
+  Graph graph;
+  Mentions mentions;
+  parse(text_, 3, parameters, graph, mentions);
+  for (const auto& [name, value] : parameters)
+    if (!mentions.parameters.contains(name))
+      throw Error("parameter '" + name + "' does not occur in the expression " + text_);
+}
+
+void ExpressionEnergy::psi(int dim, const energies::StretchChunk& chunk) const {
+  run(programs_[dim - 2]->psi, active_expression_kernels().psi, dim, determinant_bound_, chunk);
+}
+
+void ExpressionEnergy::derivatives(int dim, const energies::StretchChunk& chunk) const {
+  const Programs& programs = *programs_[dim - 2];
+  const ExpressionKernels& kernels = active_expression_kernels();
+  run(programs.derivatives, programs.by_partials ? kernels.from_partials : kernels.from_stretches, dim,
+      determinant_bound_, chunk);
+}
+
+energies::AnyEnergy parse_energy(std::string_view text, const std::map<std::string, double>& parameters) {
+  return energies::AnyEnergy(std::make_shared<const ExpressionEnergy>(text, parameters));
+}
+
+}  // namespace isostretch::expressions

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace isostretch::expressions {
+
+enum class Op : std::uint8_t {
+  constant,
+  variable,
+  add,
+  subtract,
+  multiply,
+  divide,
+  negate,
+  power,  // the exponent is a constant, in `value`
+  sqrt,
+  cbrt,
+  exp,
+  expm1,
+  log,
+  log1p,
+  sin,
+  cos,
+  tan,
+  sinh,
+  cosh,
+  tanh,
+  atan,
+  abs,
+  sign,  // -1, 0, 1
+  min,
+  max,
+  expm1_ratio,  // expm1(x) / x, 1 at 0
+  log1p_ratio,  // log1p(x) / x, 1 at 0
+  less,         // conditions are 1 and 0
+  less_equal,
+  logical_and,
+  logical_or,
+  logical_not,
+  select  // a != 0 ? b : c
+};
+
+// What an expression is made of besides numbers. In the plane s3 does not occur.
+enum class Variable : std::uint8_t { I1, I2, I3, s1, s2, s3 };
+constexpr Variable stretch(int axis) {
+  return static_cast<Variable>(static_cast<int>(Variable::s1) + axis);
+}
+
+using Node = std::uint32_t;
+
+struct Operation {
+  Op op = Op::constant;
+  Node a = 0, b = 0, c = 0;  // operands
+  double value = 0;          // constant, power; number of a variable
+  bool operator==(const Operation& other) const;
+};
+
+// Expressions that share what they have in common: an operation on the same operands is the same node.
+// Building one does arithmetic on constants and leaves out what changes nothing. Throws Error beyond
+// max_nodes.
+class Graph {
+ public:
+  // From here on what is multiplied by zero, or subtracted from itself, counts as finite: right for
+  // derivatives, of which nothing is asked elsewhere, and not for what a user wrote.
+  void assume_finite() { assumes_finite_ = true; }
+
+  const Operation& operator[](Node node) const { return nodes_[node]; }
+  std::size_t size() const { return nodes_.size(); }
+
+  Node constant(double value);
+  Node variable(Variable v);
+  Node unary(Op op, Node a);
+  Node binary(Op op, Node a, Node b);
+  Node select(Node condition, Node a, Node b);
+  Node power(Node a, double exponent);
+  Node power(Node a, Node exponent);
+
+  Node add(Node a, Node b) { return binary(Op::add, a, b); }
+  Node subtract(Node a, Node b) { return binary(Op::subtract, a, b); }
+  Node multiply(Node a, Node b) { return binary(Op::multiply, a, b); }
+  Node divide(Node a, Node b) { return binary(Op::divide, a, b); }
+  Node negate(Node a) { return unary(Op::negate, a); }
+  Node scale(double factor, Node a) { return multiply(constant(factor), a); }
+
+  bool is_constant(Node a) const { return nodes_[a].op == Op::constant; }
+  bool is_constant(Node a, double value) const { return is_constant(a) && nodes_[a].value == value; }
+
+ private:
+  struct Hash {
+    std::size_t operator()(const Operation& operation) const noexcept;
+  };
+  Node intern(const Operation& operation);
+
+  bool assumes_finite_ = false;
+  std::vector<Operation> nodes_;
+  std::unordered_map<Operation, Node, Hash> index_;
+};
+
+// What one operation makes of numbers: the meaning of Op, for constants and for evaluation one by one.
+double apply(const Operation& operation, double a, double b, double c);
+
+}  // namespace isostretch::expressions
