@@ -5,8 +5,10 @@
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/energies/registry.hpp>
+#include <isostretch/expressions/expression.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace isostretch::app {
 namespace {
@@ -52,15 +54,53 @@ std::map<std::string, double> parse_parameters(const std::vector<std::string>& t
   return parameters;
 }
 
-energies::AnyEnergy choose_energy(const std::string& name, const std::map<std::string, double>& parameters,
-                                  int dim) {
+namespace {
+
+energies::AnyEnergy make_energy(const std::string& name, const std::map<std::string, double>& parameters,
+                                int dim) {
+  if (expressions::is_expression(name)) return expressions::parse_energy(name, parameters);
   const auto known = energies::energy_names();
   if (std::find(known.begin(), known.end(), name) == known.end())
     throw Error("unknown energy '" + name + "'; " + those_there_are(dim));
-  energies::AnyEnergy energy = energies::make_energy(name, parameters);
+  return energies::make_energy(name, parameters);
+}
+
+}  // namespace
+
+energies::AnyEnergy choose_energy(const std::string& name, const std::map<std::string, double>& parameters,
+                                  int dim) {
+  energies::AnyEnergy energy = make_energy(name, parameters, dim);
   if (!energy.supports(dim))
     throw Error("'" + name + "' does not exist in " + std::to_string(dim) + "D; " + those_there_are(dim));
   return energy;
+}
+
+std::map<std::string, double> parameters_of(const std::string& energy,
+                                            const std::map<std::string, double>& all) {
+  std::set<std::string> names;
+  if (expressions::is_expression(energy)) {
+    names = expressions::parameter_names(energy);
+  } else {
+    const energies::AnyEnergy chosen = choose_energy(energy, {}, 2);
+    for (const auto& parameter : chosen.parameters()) names.insert(parameter.name);
+  }
+  std::map<std::string, double> own;
+  for (const auto& [name, value] : all)
+    if (names.contains(name)) own.emplace(name, value);
+  return own;
+}
+
+std::vector<std::string> split_energies(const std::string& text) {
+  std::vector<std::string> all(1);
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c == ',' && depth == 0)
+      all.emplace_back();
+    else
+      all.back() += c;
+  }
+  return all;
 }
 
 }  // namespace isostretch::app

@@ -16,9 +16,16 @@ std::vector<std::string> energy_names_in(int dim);
 // --param, when one is none or a name is given twice.
 std::map<std::string, double> parse_parameters(const std::vector<std::string>& texts);
 
-// Throws Error naming what there is when the energy or a parameter is none, and when the energy does not
-// exist in that dimension.
+// One of the names, or an expression (library expressions). Throws Error naming what there is when the energy
+// or a parameter is none, and when the energy does not exist in that dimension.
 energies::AnyEnergy choose_energy(const std::string& name, const std::map<std::string, double>& parameters,
                                   int dim);
+
+// Those of the parameters that the energy, a name or an expression, has.
+std::map<std::string, double> parameters_of(const std::string& energy,
+                                            const std::map<std::string, double>& all);
+
+// Names or expressions with commas between, which stand outside of parentheses.
+std::vector<std::string> split_energies(const std::string& text);
 
 }  // namespace isostretch::app

@@ -3,6 +3,8 @@
 #include "common/energy_choice.hpp"
 #include "common/material.hpp"
 
+#include <isostretch/expressions/expression.hpp>
+
 #include <map>
 
 namespace isostretch::app {
@@ -41,7 +43,8 @@ energies::AnyEnergy read_energy(const JsonValue& owner, int dim, const std::opti
   auto parameters = read_parameters(energy->find("parameters"));
   auto material = owner.find("material");
   if (!material && fallback && !owner.has("energy")) material = fallback->find("material");
-  naming(name, [&] { return choose_energy(name.text(), {}, dim); });
+  if (!expressions::is_expression(name.text()))
+    naming(name, [&] { return choose_energy(name.text(), {}, dim); });
   if (material) {
     const Lame lame = read_material(*material, dim);
     const auto from_material = naming(*material, [&] { return material_parameters(name.text(), lame, dim); });

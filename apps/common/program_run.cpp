@@ -23,16 +23,9 @@ fs::path this_program() {
   return fs::read_symlink("/proc/self/exe");
 }
 
-// By which results of another build are known.
-std::string program_stamp() {
-  const fs::path program = this_program();
-  return std::to_string(fs::file_size(program)) + ' ' +
-         std::to_string(fs::last_write_time(program).time_since_epoch().count());
-}
-
 // What a run depends on, kept beside its results: with the same it need not be made again.
 std::string account(const ProgramRun& run) {
-  std::string text = program_stamp() + '\n' + run.identity;
+  std::string text = file_stamp(this_program()) + '\n' + run.identity;
   for (const std::string& word : run.arguments) text.append(1, '\n').append(word);
   return text;
 }
@@ -73,7 +66,7 @@ Json read_summary(const ProgramRun& run) {
   return json_of(run.folder / "summary.json");
 }
 
-// A run that its time limit ended from outside has no summary; all others that are kept have.
+// A run that its time limit ended from outside may have no summary; all others that are kept have.
 bool is_there(const ProgramRun& run) {
   return fs::exists(run.folder / "run.txt") && text_of(run.folder / "run.txt") == account(run) &&
          (read_process(run).timed_out || read_summary(run).is_object());
@@ -134,6 +127,11 @@ void explain(const std::string& errors, ProgramResult& result) {
 
 }  // namespace
 
+std::string file_stamp(const fs::path& file) {
+  return std::to_string(fs::file_size(file)) + ' ' +
+         std::to_string(fs::last_write_time(file).time_since_epoch().count());
+}
+
 std::string text_of(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
@@ -150,7 +148,8 @@ ProgramResult run_program(const ProgramRun& run) {
   ProgramResult result;
   result.process =
       is_there(run) ? read_process(run) : failing_with(ExitCode::output, [&] { return execute(run); });
-  result.summary = read_summary(run);
+  // What a program writes when it is ended for its time says that somebody stopped it.
+  if (!result.process.timed_out) result.summary = read_summary(run);
   if (!result.has_summary()) explain(text_of(run.folder / "errors.txt"), result);
   return result;
 }

@@ -36,6 +36,9 @@ struct ProgramResult {
 // run.txt, what the run was made of. Throws Failure with ExitCode::output where the folder cannot be written.
 ProgramResult run_program(const ProgramRun& run);
 
+// By which a file is known to be the same: size and time of the last change.
+std::string file_stamp(const std::filesystem::path& file);
+
 // Of a file; empty where there is none. A run's JSON is null where there is none or it is cut off.
 std::string text_of(const std::filesystem::path& file);
 Json json_of(const std::filesystem::path& file);

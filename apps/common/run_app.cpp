@@ -1,5 +1,6 @@
 #include "common/run_app.hpp"
 
+#include "common/energy_plugin.hpp"
 #include "common/interrupt.hpp"
 #include "common/threads.hpp"
 #include "common/validators.hpp"
@@ -21,6 +22,18 @@ void declare_common(CLI::App& cli, CommonOptions& options) {
   cli.add_option("--threads", options.threads, "Threads of parallel loops; results do not depend on it")
       ->check(whole_number_between(1, 1024))
       ->type_name("N");
+  // At once, for what comes after it: --list-energies shows them.
+  cli.add_option_function<std::string>(
+         "--plugin",
+         [&options](const std::string& file) {
+           load_energies(file);
+           options.plugins.push_back(file);
+         },
+         "Shared library with energies of your own (isostretch/energies/plugin.hpp); may be repeated")
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::Throw)
+      ->trigger_on_parse()
+      ->type_name("FILE");
   cli.set_version_flag("--version", "isostretch " + std::string(version_string));
   cli.footer("\n" + exit_code_help());
 }
@@ -31,7 +44,7 @@ ExitCode parse_and_run(int argc, const char* const* argv, const AppDescription& 
   description.declare(cli);
   declare_common(cli, options);
   try {
-    cli.parse(argc, argv);
+    failing_with(ExitCode::command_line, [&] { cli.parse(argc, argv); });
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0)
       throw Failure(ExitCode::command_line, std::string(error.what()) + " (--help lists the options)");
@@ -45,9 +58,10 @@ ExitCode parse_and_run(int argc, const char* const* argv, const AppDescription& 
   return description.body(options);
 }
 
+// But for lines that go on with two spaces: what shows an expression with the fault in it.
 std::string one_line(std::string text) {
-  for (char& c : text)
-    if (c == '\n' || c == '\r') c = ' ';
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\r' || (text[i] == '\n' && text.compare(i + 1, 2, "  ") != 0)) text[i] = ' ';
   return text;
 }
 

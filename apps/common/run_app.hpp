@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -12,11 +13,12 @@ class App;
 
 namespace isostretch::app {
 
-// Options every app has: --quiet, --verbose, --threads, --version.
+// Options every app has: --quiet, --verbose, --threads, --plugin, --version.
 struct CommonOptions {
   bool quiet = false;
   bool verbose = false;
   int threads = 0;  // 0: as OpenMP likes
+  std::vector<std::string> plugins;  // loaded by then
 
   Verbosity verbosity() const {
     return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal;

@@ -29,15 +29,6 @@ std::string method_table() {
 
 using Parameters = std::map<std::string, double>;
 
-// Those of the parameters that the energy has.
-Parameters parameters_of(const std::string& energy, const Parameters& all) {
-  Parameters own;
-  const energies::AnyEnergy chosen = choose_energy(energy, {}, 2);
-  for (const auto& parameter : chosen.parameters())
-    if (const auto found = all.find(parameter.name); found != all.end()) own.insert(*found);
-  return own;
-}
-
 std::string without_odd_characters(std::string name) {
   for (char& c : name)
     if (!may_be_in_name(c)) c = '_';
@@ -151,7 +142,7 @@ void CommandLine::add_problems(Json& scene) const {
   Parameters unused = parameters;
   std::set<std::string> taken;
   for (const std::string& mesh : meshes_)
-    for (const std::string& energy : split(energies_, ',')) {
+    for (const std::string& energy : split_energies(energies_)) {
       const auto own = naming_option("--energy", [&] { return parameters_of(energy, parameters); });
       for (const auto& [name, value] : own) unused.erase(name);
       scene["problems"].push_back({{"name", unused_name(mesh, energy, taken)},

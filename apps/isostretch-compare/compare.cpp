@@ -31,7 +31,7 @@ class Match {
     comparison_.options = command_line.options(scene_);
     read_problems(command_line.scene_file());
     const Options& options = comparison_.options;
-    runs_ = {options.out / "scene.json", options.out, options.limits, common.threads};
+    runs_ = {options.out / "scene.json", options.out, options.limits, common.threads, common.plugins};
   }
 
   ExitCode run() {
@@ -157,8 +157,9 @@ class Match {
     const std::string method(entry.info.name);
     const Run end = runs_.polished(problem.name, method, run, identities_[p]);
     take_least(problem, end, default_method() + " from the end of " + method);
-    if (end.has_summary()) problem.elsewhere.push_back({method, end.energy()});
-    return end.has_summary() && end.converged;
+    const bool at_the_end = end.has_summary() && end.converged;
+    if (at_the_end) problem.elsewhere.push_back({method, end.energy()});
+    return at_the_end;
   }
 
   static void take_least(ProblemResult& problem, const Run& run, const std::string& whose) {

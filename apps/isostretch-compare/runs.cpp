@@ -1,5 +1,6 @@
 #include "runs.hpp"
 
+#include "common/machine.hpp"
 #include "common/number_table.hpp"
 #include "common/numbers.hpp"
 #include "common/program_run.hpp"
@@ -41,6 +42,8 @@ std::vector<std::string> arguments(const Runs& runs, const std::string& problem,
                                  "--time-limit",
                                  exact_text(limits.time_limit)};
   if (runs.threads > 0) words.insert(words.end(), {"--threads", std::to_string(runs.threads)});
+  for (const std::string& plugin : runs.plugins)
+    words.insert(words.end(), {"--plugin", fs::absolute(plugin).string()});
   return words;
 }
 
@@ -58,8 +61,10 @@ void read_summary(const ProgramResult& result, Run& run) {
 }
 
 Run made(const Runs& runs, ProgramRun program) {
-  // The environment may choose the number of threads.
-  program.identity += "\nthreads " + std::to_string(thread_count());
+  // The environment may choose the number of threads and more, and a folder may come from another machine.
+  program.identity += "\nthreads " + std::to_string(thread_count()) + "\nmegabytes " +
+                      exact_text(program.memory_limit) + "\n" + machine_json().dump();
+  for (const std::string& plugin : runs.plugins) program.identity += "\nplugin " + file_stamp(plugin);
   Run run;
   run.folder = fs::relative(program.folder, runs.out).string();
   read_summary(run_program(program), run);
@@ -81,8 +86,9 @@ Run Runs::repetition(const std::string& problem, const std::string& method, int 
 Run Runs::polished(const std::string& problem, const std::string& method, const Run& best,
                    const std::string& identity) const {
   const fs::path folder = out / "optimum" / problem / method;
-  const Limits none{0, polishing_iterations, 0, 0};
-  ProgramRun program{arguments(*this, problem, default_method(), none, folder), identity, folder};
+  const Limits none{0, polishing_iterations, 0, limits.memory_limit};
+  ProgramRun program{arguments(*this, problem, default_method(), none, folder), identity, folder, 0,
+                     limits.memory_limit};
   program.arguments.insert(program.arguments.end(),
                            {"--from", (out / best.folder / "positions.bin").string()});
   // Another run in the same folder may end elsewhere.

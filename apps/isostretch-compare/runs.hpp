@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace isostretch::app::compare {
 
@@ -14,7 +15,8 @@ struct Runs {
   std::filesystem::path scene_file;
   std::filesystem::path out;
   Limits limits;
-  int threads = 0;  // 0: as the program likes
+  int threads = 0;                   // 0: as the program likes
+  std::vector<std::string> plugins;  // files
 
   // `identity`: what the problem is made of.
   Run repetition(const std::string& problem, const std::string& method, int number,

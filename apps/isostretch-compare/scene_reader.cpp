@@ -75,6 +75,7 @@ std::string problem_name(const JsonValue& problem) {
   const std::string name = value.text();
   if (name.empty() || name.front() == '.' || !std::all_of(name.begin(), name.end(), may_be_in_name))
     value.fail("'" + name + "' names a folder: letters, digits, _, - and ., not at first");
+  if (name == "profiles") value.fail("'profiles' is what the plots of all problems are called");
   return name;
 }
 

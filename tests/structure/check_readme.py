@@ -1,22 +1,30 @@
 #!/usr/bin/env python3
-"""The C++ of the top-level README is the snippet that tests/consumers compiles and runs."""
+"""C++ of documents is that of a snippet that tests/consumers compiles and runs."""
 import re
 import sys
+import textwrap
 
 import libraries
 
+# A document and the source that has its snippet, between "// snippet: <document>" and "// end of snippet".
+SNIPPETS = [("README.md", "tests/consumers/project/newton.cpp"),
+            ("docs/tutorials/energies.md", "tests/consumers/project/testing.cpp")]
+
+
+def shows(document, source):
+    text = (libraries.ROOT / source).read_text()
+    snippet = re.search(rf"// snippet: {re.escape(document)}\n(.*?)\n *// end of snippet", text, re.DOTALL).group(1)
+    snippet = textwrap.dedent(snippet)
+    blocks = re.findall(r"```cpp\n(.*?)\n```", (libraries.ROOT / document).read_text(), re.DOTALL)
+    if snippet in blocks:
+        print(f"{document} shows the {len(snippet.splitlines())} lines of {source}")
+        return True
+    print(f"{document} has no C++ block equal to the snippet in {source}:\n{snippet}")
+    return False
+
 
 def main():
-    source = (libraries.ROOT / "tests/consumers/project/newton.cpp").read_text()
-    snippet = re.search(r"// snippet: README\n(.*?)\n *// end of snippet", source, re.DOTALL).group(1)
-    lines = [line[2:] for line in snippet.splitlines()]
-    readme = (libraries.ROOT / "README.md").read_text()
-    blocks = re.findall(r"```cpp\n(.*?)\n```", readme, re.DOTALL)
-    if "\n".join(lines) in blocks:
-        print(f"README.md shows the {len(lines)} lines of tests/consumers/project/newton.cpp")
-        return 0
-    print("README.md has no C++ block equal to the snippet in tests/consumers/project/newton.cpp:\n" + "\n".join(lines))
-    return 1
+    return 0 if all([shows(*pair) for pair in SNIPPETS]) else 1
 
 
 if __name__ == "__main__":

@@ -40,4 +40,11 @@ Color distortion_color(double value) {
   return from_oklab(lightness, chroma * std::cos(hue), chroma * std::sin(hue));
 }
 
+Color diverging_color(double value) {
+  const double t = std::clamp(std::abs(value), 0.0, 1.0);
+  const double chroma = 0.17 * std::sin(std::numbers::pi * std::pow(t, 0.6) * 0.75);
+  const double hue = (value < 0 ? 250 : 40) * std::numbers::pi / 180;
+  return from_oklab(mix(0.97, 0.38, t), chroma * std::cos(hue), chroma * std::sin(hue));
+}
+
 }  // namespace isostretch::app::figures

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "builtin_includes.inc"
 
@@ -15,48 +16,44 @@ std::string join(const std::vector<std::string>& words) {
   return text;
 }
 
-template <class Energy>
-AnyEnergy build(const std::map<std::string, double>& parameters) {
-  Energy energy;
-  std::vector<std::string> known;
-  energy.parameters([&](const char* name, double& value, const char*) {
-    known.emplace_back(name);
-    const auto given = parameters.find(name);
-    if (given == parameters.end()) return;
-    if (!std::isfinite(given->second))
-      throw Error("parameter '" + given->first + "' of energy '" + Energy::name + "' is not a finite number");
-    value = given->second;
-  });
-  for (const auto& [name, value] : parameters)
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw Error(std::string("energy '") + Energy::name + "' has no parameter '" + name + "'; it has " +
-                  (known.empty() ? "none" : join(known)));
-  return AnyEnergy(energy);
-}
-
-struct Entry {
-  const char* name;
-  AnyEnergy (*build)(const std::map<std::string, double>&);
-};
-
-constexpr Entry entries[] = {
-#define ISOSTRETCH_ENERGY(Struct) {Struct::name, build<Struct>},
+std::vector<EnergyEntry>& registry() {
+  static std::vector<EnergyEntry> all{
+#define ISOSTRETCH_ENERGY(Struct) entry_of<Struct>(),
 #include "builtin_list.inc"
 #undef ISOSTRETCH_ENERGY
-};
+  };
+  return all;
+}
 
 }  // namespace
 
+void detail::require_known(const char* energy, const std::vector<std::string>& known,
+                           const std::map<std::string, double>& given) {
+  for (const auto& [name, value] : given) {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw Error(std::string("energy '") + energy + "' has no parameter '" + name + "'; it has " +
+                  (known.empty() ? "none" : join(known)));
+    if (!std::isfinite(value))
+      throw Error("parameter '" + name + "' of energy '" + energy + "' is not a finite number");
+  }
+}
+
+void add_energy(EnergyEntry entry) {
+  for (const EnergyEntry& other : registry())
+    if (other.name == entry.name) throw Error("there is an energy '" + entry.name + "' already");
+  registry().push_back(std::move(entry));
+}
+
 std::vector<std::string> energy_names() {
   std::vector<std::string> names;
-  for (const Entry& entry : entries) names.emplace_back(entry.name);
+  for (const EnergyEntry& entry : registry()) names.push_back(entry.name);
   std::sort(names.begin(), names.end());
   return names;
 }
 
 AnyEnergy make_energy(std::string_view name, const std::map<std::string, double>& parameters) {
-  for (const Entry& entry : entries)
-    if (entry.name == name) return entry.build(parameters);
+  for (const EnergyEntry& entry : registry())
+    if (entry.name == name) return entry.make(parameters);
   throw Error("unknown energy '" + std::string(name) + "'; there are " + join(energy_names()));
 }
 

@@ -56,6 +56,30 @@ struct UserEnergy2d {
   }
 };
 
+// psi of the stretches alone: no function of the invariants.
+struct UserHencky {
+  static constexpr const char* name = "user_hencky";
+  static constexpr double minimum_determinant = 0.0;
+  double mu = 1.0;
+
+  template <class Visitor>
+  void parameters(Visitor&& visit) {
+    visit("mu", mu, "shear modulus");
+  }
+
+  template <int Dim, class T>
+  T psi(const Stretch<Dim, T>& s) const {
+    using isostretch::log;
+    T squares(0.0), sum(0.0);
+    for (int i = 0; i < Dim; ++i) {
+      const T l = log(s[i]);
+      squares = squares + l * l;
+      sum = sum + l;
+    }
+    return mu * squares + 0.5 * (sum * sum);
+  }
+};
+
 const Stretch<3, double> stretched{{1.7, 1.1, 0.6}};
 
 }  // namespace
@@ -146,4 +170,38 @@ TEST_CASE("a user's barrier and dimension are respected") {
   CHECK_FALSE(energy.supports(3));
   CHECK(std::isinf(PointChunk<2>(Stretch<2, double>{{1.0, -0.5}}).psi(energy)));
   CHECK(PointChunk<2>(Stretch<2, double>{{2.0, 1.0}}).psi(energy) == doctest::Approx(2.5));
+}
+
+TEST_CASE("psi of the stretches alone is enough, also where stretches are equal or nearly") {
+  at_every_level([](Isa isa) {
+    CAPTURE(isa_name(isa));
+    const AnyEnergy user = UserHencky{}, built = make_energy("hencky");
+    for (const double gap : {0.3, 3e-3, 1.5e-3, 1e-4, 1e-7, 1e-12, 0.0}) {
+      CAPTURE(gap);
+      for (const Stretch<3, double>& s :
+           {Stretch<3, double>{{1.2 + gap, 1.2, 0.7}}, Stretch<3, double>{{1.4, 0.9 + gap, 0.9}},
+            Stretch<3, double>{{1.1 + 2 * gap, 1.1 + gap, 1.1}}}) {
+        const auto u = PointChunk<3>(s).derivatives(user), b = PointChunk<3>(s).derivatives(built);
+        for_each_entry<3>(u, b, [](const char* entry, double x, double y) {
+          CAPTURE(entry);
+          CHECK(std::abs(x - y) <= 2e-12 * (1 + std::abs(y)));
+        });
+      }
+    }
+  });
+}
+
+TEST_CASE("energies of a program's own are in the registry once it has added them") {
+  CHECK(contains(message_of([] { make_energy("user_hencky"); }), "unknown energy"));
+  add_energy(entry_of<UserHencky>());
+  const auto names = energy_names();
+  CHECK(std::is_sorted(names.begin(), names.end()));
+  CHECK(std::find(names.begin(), names.end(), "user_hencky") != names.end());
+  CHECK(PointChunk<3>(stretched).psi(make_energy("user_hencky", {{"mu", 3}})) ==
+        doctest::Approx(PointChunk<3>(stretched).psi(make_energy("hencky", {{"mu", 3}}))).epsilon(1e-14));
+  CHECK(contains(message_of([] {
+                   make_energy("user_hencky", {{"nu", 3}});
+                 }),
+                 "no parameter 'nu'; it has mu"));
+  CHECK(contains(message_of([] { add_energy(entry_of<UserHencky>()); }), "'user_hencky' already"));
 }

@@ -95,6 +95,13 @@ Node Derivatives::derive(Node expression, Variable by) {
   }
 }
 
+std::vector<Node> partials(Graph& graph, Node psi, int dim) {
+  using enum Variable;
+  Derivatives D(graph, dim, Derivatives::Invariants::independent);
+  const Node P1 = D(psi, I1), P2 = D(psi, I2), P3 = D(psi, I3);
+  return {psi, P1, P2, P3, D(P1, I1), D(P2, I2), D(P3, I3), D(P1, I2), D(P2, I3), D(P1, I3)};
+}
+
 ExchangeDifferences::ExchangeDifferences(Graph& graph, int j, int k)
     : graph_(graph),
       j_(j),
@@ -172,8 +179,7 @@ Node ExchangeDifferences::difference(Node expression) {
       return g.scale(0.5, o.op == Op::min ? g.subtract(sum, spread) : g.add(sum, spread));
     }
     case Op::select:
-      if (exchanged(o.a) == o.a) return g.select(o.a, D(o.b), D(o.c));
-      return plain(expression);
+      return of_select(expression);
     case Op::sign:
     case Op::less:
     case Op::less_equal:
@@ -191,6 +197,7 @@ Node ExchangeDifferences::difference(Node expression) {
 Node ExchangeDifferences::of_function(const Operation& o, Node slope) {
   Graph& g = graph_;
   const Node u = o.a, v = exchanged(u), one = g.constant(1), change = g.multiply(slope, gap_);
+  const Node middle = g.scale(0.5, g.add(u, v)), half = g.scale(0.5, change);
   switch (o.op) {
     case Op::sqrt:
       return g.divide(one, g.add(g.unary(Op::sqrt, u), g.unary(Op::sqrt, v)));
@@ -199,8 +206,11 @@ Node ExchangeDifferences::of_function(const Operation& o, Node slope) {
       return g.divide(one, g.add(g.add(g.multiply(a, a), g.multiply(a, b)), g.multiply(b, b)));
     }
     case Op::exp:
-    case Op::expm1:
-      return g.multiply(g.unary(Op::exp, v), g.unary(Op::expm1_ratio, change));
+    case Op::expm1: {
+      // From the larger of the two: the other factor is between 0 and 1.
+      const Node down = g.negate(g.unary(Op::abs, change));
+      return g.multiply(g.unary(Op::exp, g.binary(Op::max, u, v)), g.unary(Op::expm1_ratio, down));
+    }
     case Op::log:
       return g.divide(g.unary(Op::log1p_ratio, g.divide(change, v)), v);
     case Op::log1p: {
@@ -211,8 +221,31 @@ Node ExchangeDifferences::of_function(const Operation& o, Node slope) {
       // ((1 + t)^p - 1) / t = p expm1_ratio(p log1p(t)) log1p_ratio(t)
       const Node t = g.divide(change, v);
       const Node bent = g.unary(Op::expm1_ratio, g.scale(o.value, g.unary(Op::log1p, t)));
-      return g.multiply(g.scale(o.value, g.power(v, o.value - 1)),
-                        g.multiply(bent, g.unary(Op::log1p_ratio, t)));
+      const Node positive = g.multiply(g.scale(o.value, g.power(v, o.value - 1)),
+                                       g.multiply(bent, g.unary(Op::log1p_ratio, t)));
+      const Node zero = g.constant(0);
+      const Node both = g.binary(Op::logical_and, g.binary(Op::less, zero, u), g.binary(Op::less, zero, v));
+      return g.select(both, positive, by_middle(o, change));
+    }
+    // sin u - sin v = 2 cos((u + v)/2) sin((u - v)/2), and so on.
+    case Op::sin:
+      return g.multiply(g.unary(Op::cos, middle), over_operand(Op::sin, half));
+    case Op::cos:
+      return g.negate(g.multiply(g.unary(Op::sin, middle), over_operand(Op::sin, half)));
+    case Op::sinh:
+      return g.multiply(g.unary(Op::cosh, middle), over_operand(Op::sinh, half));
+    case Op::cosh:
+      return g.multiply(g.unary(Op::sinh, middle), over_operand(Op::sinh, half));
+    case Op::tan:
+      return g.multiply(g.add(one, g.multiply(g.unary(Op::tan, u), g.unary(Op::tan, v))),
+                        over_operand(Op::tan, change));
+    case Op::tanh:
+      return g.multiply(g.subtract(one, g.multiply(g.unary(Op::tanh, u), g.unary(Op::tanh, v))),
+                        over_operand(Op::tanh, change));
+    case Op::atan: {
+      const Node below = g.add(one, g.multiply(u, v));  // not positive: u and v are far apart
+      const Node near = g.divide(over_operand(Op::atan, g.divide(change, below)), below);
+      return g.select(g.binary(Op::less, g.constant(0), below), near, secant(o, change));
     }
     case Op::abs: {
       constexpr double tiny = 1e-300;
@@ -220,24 +253,46 @@ Node ExchangeDifferences::of_function(const Operation& o, Node slope) {
       return g.divide(g.add(u, v), g.binary(Op::max, size, g.constant(tiny)));
     }
     default:
-      return by_middle(o, slope);
+      return secant(o, change);  // no other function is there
   }
+}
+
+// With the condition c and the exchanged one c*: by branch where they agree, as they do wherever s_j and s_k
+// are equal.
+Node ExchangeDifferences::of_select(Node expression) {
+  Graph& g = graph_;
+  const Operation o = g[expression];
+  const Node condition = o.a, other = exchanged(condition), first = (*this)(o.b), second = (*this)(o.c);
+  if (other == condition) return g.select(condition, first, second);
+  const Node agreed = g.select(condition, first, second);
+  const Node differ = g.subtract(condition, other);
+  return g.select(differ, g.select(gap_, plain(expression), agreed), agreed);
 }
 
 Node ExchangeDifferences::plain(Node expression) {
   const Node change = graph_.subtract(expression, exchanged(expression));
-  return graph_.select(graph_.unary(Op::abs, gap_), graph_.divide(change, gap_), graph_.constant(0));
+  return graph_.select(gap_, graph_.divide(change, gap_), graph_.constant(0));
 }
 
-Node ExchangeDifferences::by_middle(const Operation& o, Node slope) {
-  constexpr double near = 1e-5;  // the squared share of f''' beyond it, the rounding of a quotient within
+Node ExchangeDifferences::over_operand(Op op, Node x) {
+  return graph_.select(x, graph_.divide(graph_.unary(op, x), x), graph_.constant(1));
+}
+
+Node ExchangeDifferences::secant(const Operation& o, Node change) {
   Graph& g = graph_;
-  const Node u = o.a, v = exchanged(u), change = g.multiply(slope, gap_);
-  const Node middle = g.scale(0.5, g.add(u, v)), at_middle = g.unary(o.op, middle);
-  const Operation there = g[at_middle];
-  const Node tangent = g.is_constant(at_middle) ? g.constant(0) : derivative_of_function(g, there, at_middle);
-  const Node secant = g.divide(g.subtract(g.unary(o.op, u), g.unary(o.op, v)), change);
-  return g.select(g.binary(Op::less, g.constant(near), g.unary(Op::abs, change)), secant, tangent);
+  const Node v = exchanged(o.a);
+  const Node f = o.op == Op::power ? g.power(o.a, o.value) : g.unary(o.op, o.a),
+             fv = o.op == Op::power ? g.power(v, o.value) : g.unary(o.op, v);
+  return g.divide(g.subtract(f, fv), change);
+}
+
+Node ExchangeDifferences::by_middle(const Operation& o, Node change) {
+  // What the tangent leaves out is the square of this; the rounding of a quotient is the inverse.
+  constexpr double near = 1e-5;
+  Graph& g = graph_;
+  const Node middle = g.scale(0.5, g.add(o.a, exchanged(o.a)));
+  const Node tangent = g.scale(o.value, g.power(middle, o.value - 1));
+  return g.select(g.binary(Op::less, g.constant(near), g.unary(Op::abs, change)), secant(o, change), tangent);
 }
 
 }  // namespace isostretch::expressions

@@ -28,6 +28,9 @@ class Derivatives {
   std::unordered_map<Node, Node> known_[6];  // by variable
 };
 
+// psi, P1, P2, P3, P11, P22, P33, P12, P23, P13 of an expression in invariants.
+std::vector<Node> partials(Graph& graph, Node psi, int dim);
+
 // Divided differences by exchanging two stretches,
 //   D[u] = (u(.., s_j, .., s_k, ..) - u(.., s_k, .., s_j, ..)) / (s_j - s_k),
 // by rules that do not cancel where s_j and s_k are equal, or nearly so: D[u v] = D[u] v + u* D[v] with u*
@@ -46,8 +49,13 @@ class ExchangeDifferences {
   Node of_function(const Operation& operation, Node slope);
   // The plain quotient, for what has no rule: not differentiable along the way.
   Node plain(Node expression);
-  // Of smooth functions without a rule of their own: by the slope in the middle where s_j and s_k are near.
-  Node by_middle(const Operation& operation, Node slope);
+  Node of_select(Node expression);
+  // f(x) / x, 1 at 0.
+  Node over_operand(Op op, Node x);
+  // (f[u] - f[u*]) / change, for operands that are far apart.
+  Node secant(const Operation& operation, Node change);
+  // Of powers of what need not be positive: by the slope in the middle where u and u* are near.
+  Node by_middle(const Operation& operation, Node change);
 
   Graph& graph_;
   int j_, k_;

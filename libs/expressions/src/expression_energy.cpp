@@ -19,13 +19,6 @@ ISOSTRETCH_DISPATCH(ExpressionKernels, expression_kernels)
 
 namespace {
 
-std::vector<Node> partials(Graph& graph, Node psi, int dim) {
-  using enum Variable;
-  Derivatives D(graph, dim, Derivatives::Invariants::independent);
-  const Node P1 = D(psi, I1), P2 = D(psi, I2), P3 = D(psi, I3);
-  return {psi, P1, P2, P3, D(P1, I1), D(P2, I2), D(P3, I3), D(P1, I2), D(P2, I3), D(P1, I3)};
-}
-
 // psi, gradient, diagonal, coupling and flips, as kernels want them.
 template <int Dim>
 std::vector<Node> by_stretches(Graph& graph, Node psi) {
@@ -77,6 +70,8 @@ ExpressionEnergy::ExpressionEnergy(std::string_view text, const std::map<std::st
     parameters_.push_back({name, value, "of the expression"});
   }
   for (const int dim : {2, 3}) programs_[dim - 2] = programs_for(dim, parameters);
+  if (!programs_[0] && !programs_[1])
+    throw Error("the expression is not finite at any stretch between 1/3 and 3: " + text_);
   require_used(parameters);
   for (const auto& programs : programs_)
     if (programs && programs->ends_at_zero) determinant_bound_ = 0;
@@ -88,17 +83,15 @@ std::optional<ExpressionEnergy::Programs> ExpressionEnergy::programs_for(
   Graph graph;
   Mentions mentions;
   const Node psi = parse(text_, dim, parameters, graph, mentions);
-  if (mentions.stretches && mentions.third_stretch != (dim == 3)) return std::nullopt;
-  const std::string where = " (in " + std::to_string(dim) + "D)";
-  if (!finite_somewhere(graph, psi, dim))
-    throw Error("the expression is not finite at any stretch between 1/3 and 3" + where + ": " + text_);
+  if (!mentions.exist_in(dim)) return std::nullopt;
+  if (!finite_somewhere(graph, psi, dim)) return std::nullopt;
   if (!is_symmetric(graph, psi, dim))
-    throw Error("the expression changes when stretches are exchanged, and is no isotropic energy" + where +
-                ": " + text_);
+    throw Error("the expression changes when stretches are exchanged, and is no isotropic energy (in " +
+                std::to_string(dim) + "D): " + text_);
   Programs programs;
   programs.ends_at_zero = ends_at_zero_determinant(graph, psi, dim);
   programs.psi = compile(graph, {psi});
-  programs.by_partials = !mentions.stretches && !mentions.sum;
+  programs.by_partials = mentions.only_invariants();
   graph.assume_finite();
   programs.derivatives = compile(graph, programs.by_partials ? partials(graph, psi, dim)
                                         : dim == 2           ? by_stretches<2>(graph, psi)

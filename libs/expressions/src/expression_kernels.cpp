@@ -117,9 +117,9 @@ class Machine {
       case Op::sign:
         return unary(in, [&](Pack a) { return select(zero < a, one, select(a < zero, -one, a)); });
       case Op::min:
-        return binary(in, [](Pack a, Pack b) { return select(a < b, a, b); });
+        return binary(in, [](Pack a, Pack b) { return select(a < b, a, select(b <= a, b, a + b)); });
       case Op::max:
-        return binary(in, [](Pack a, Pack b) { return select(b < a, a, b); });
+        return binary(in, [](Pack a, Pack b) { return select(b < a, a, select(a <= b, b, a + b)); });
       case Op::expm1_ratio:
         return unary(in,
                      [&](Pack a) { return select(a == zero, one, expm1(a) / select(a == zero, one, a)); });
@@ -156,11 +156,11 @@ ISOSTRETCH_INLINE Pack result(const Task& task, const energies::StretchChunk& ch
   return load<Pack>(task.registers + static_cast<std::size_t>(task.results[number]) * chunk.stride + i);
 }
 
-// NaN and all beyond the bound are outside of the domain.
+// What is not finite, and all beyond the bound, is outside of the domain.
 template <int Dim>
 ISOSTRETCH_INLINE Pack guarded(const Task& task, const Stretch<Dim, Pack>& s, Pack psi) {
   const Pack infinity(__builtin_inf());
-  return select(Pack(task.determinant_bound) < s.J(), select(psi <= infinity, psi, infinity), infinity);
+  return select(Pack(task.determinant_bound) < s.J(), select(abs(psi) < infinity, psi, infinity), infinity);
 }
 
 ISOSTRETCH_INLINE void put(double* data, const energies::StretchChunk& chunk, int entry, int i, Pack value) {

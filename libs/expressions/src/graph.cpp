@@ -174,9 +174,9 @@ double apply(const Operation& operation, double a, double b, double c) {
     case Op::sign:
       return a > 0 ? 1 : a < 0 ? -1 : a;
     case Op::min:
-      return a < b ? a : b;
+      return a < b ? a : b <= a ? b : a + b;  // a NaN goes on
     case Op::max:
-      return a > b ? a : b;
+      return a > b ? a : b >= a ? b : a + b;
     case Op::expm1_ratio:
       return a == 0 ? 1 : std::expm1(a) / a;
     case Op::log1p_ratio:

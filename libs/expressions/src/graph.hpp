@@ -44,9 +44,13 @@ enum class Op : std::uint8_t {
 };
 
 // What an expression is made of besides numbers. In the plane s3 does not occur.
-enum class Variable : std::uint8_t { I1, I2, I3, s1, s2, s3 };
+// Beyond these are parameters, where they are kept by name.
+enum class Variable : std::uint16_t { I1, I2, I3, s1, s2, s3 };
 constexpr Variable stretch(int axis) {
   return static_cast<Variable>(static_cast<int>(Variable::s1) + axis);
+}
+constexpr Variable parameter(int number) {
+  return static_cast<Variable>(static_cast<int>(Variable::s3) + 1 + number);
 }
 
 using Node = std::uint32_t;

@@ -71,7 +71,7 @@ bool is_symmetric(const Graph& graph, Node root, int dim) {
 }
 
 bool ends_at_zero_determinant(const Graph& graph, Node root, int dim) {
-  constexpr double going_on = 1e-2, nothing = 1e-12;
+  constexpr double going_on = 0.7, nothing = 1e-12;
   Evaluator psi(graph, root, dim);
   for (Stretches s : samples(40)) {
     double& smallest = s[static_cast<std::size_t>(dim - 1)];
@@ -82,7 +82,8 @@ bool ends_at_zero_determinant(const Graph& graph, Node root, int dim) {
     if (!std::isfinite(at(1))) continue;
     for (const double inverted : {0.0, -1e-3, -0.1, -0.3})
       if (!std::isfinite(at(inverted))) return true;
-    // Of what stays bounded the change dies out with the stretch; a logarithm changes as much ever after.
+    // Of what stays bounded the change dies out with the stretch (of its cubic root to a hundredth); a
+    // logarithm changes as much ever after.
     const double far = at(1e-9), near = at(1e-12), nearest = at(1e-15);
     const double early = std::abs(far - at(1e-6)), late = std::abs(nearest - near);
     if (!std::isfinite(nearest)) return true;

@@ -2,11 +2,14 @@
 
 #include <isostretch/expressions/expression.hpp>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,6 +31,18 @@ std::optional<Op> function_named(std::string_view name) {
   return std::nullopt;
 }
 
+constexpr std::string_view variables[] = {"pi", "e", "d", "s", "I1", "I2", "I3", "J", "s1", "s2", "s3"};
+
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+bool begins_name(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+bool continues_name(char c) {
+  return begins_name(c) || is_digit(c);
+}
+
 // Numbers and conditions are different things.
 struct Value {
   Node node = 0;
@@ -36,11 +51,16 @@ struct Value {
 
 class Parser {
  public:
-  Parser(std::string_view text, int dim, const std::map<std::string, double>& parameters, Graph& graph,
-         Mentions& mentions)
-      : text_(text), dim_(dim), parameters_(parameters), graph_(graph), mentions_(mentions) {}
+  enum class Parameters { by_value, by_number };
+
+  Parser(std::string_view text, int dim, const std::map<std::string, double>& parameters, Parameters kind,
+         Graph& graph, Mentions& mentions)
+      : text_(text), dim_(dim), parameters_(parameters), kind_(kind), graph_(graph), mentions_(mentions) {}
 
   Node run() {
+    if (text_.size() > max_length)
+      throw Error("an expression of " + std::to_string(text_.size()) + " characters; " +
+                  std::to_string(max_length) + " is the most");
     const Node result = number();
     skip_space();
     if (at_ < text_.size()) fail("there is something left over here", at_);
@@ -90,7 +110,6 @@ class Parser {
   }
 
   Value conditional() {
-    const Level level(*this);
     skip_space();
     const std::size_t start = at_;
     const Value condition = either();
@@ -202,8 +221,8 @@ class Parser {
       expect(")", "after '('");
       return inner;
     }
-    if (std::isdigit(static_cast<unsigned char>(c)) || c == '.') return {literal(), false};
-    if (std::isalpha(static_cast<unsigned char>(c)) || c == '_') return {name(), false};
+    if (is_digit(c) || c == '.') return {literal(), false};
+    if (begins_name(c)) return {name(), false};
     fail("a number, a name or '(' is wanted here", at_);
   }
 
@@ -218,8 +237,7 @@ class Parser {
 
   Node name() {
     const std::size_t start = at_;
-    while (at_ < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[at_])) || text_[at_] == '_'))
-      ++at_;
+    while (at_ < text_.size() && continues_name(text_[at_])) ++at_;
     const std::string_view word = text_.substr(start, at_ - start);
     if (take("(")) return call(word, start);
     if (const auto node = known(word, start)) return *node;
@@ -227,7 +245,8 @@ class Parser {
     if (parameter == parameters_.end())
       fail("'" + std::string(word) + "' is neither a variable nor a parameter that was given", start);
     mentions_.parameters.insert(parameter->first);
-    return graph_.constant(parameter->second);
+    if (kind_ == Parameters::by_value) return graph_.constant(parameter->second);
+    return graph_.variable(expressions::parameter(static_cast<int>(parameter->second)));
   }
 
   std::optional<Node> known(std::string_view word, std::size_t start) {
@@ -251,7 +270,6 @@ class Parser {
   }
 
   Node call(std::string_view word, std::size_t start) {
-    const Level level(*this);
     if (word == "sum") return sum_over_stretches(start);
     if (word == "if") {
       skip_space();
@@ -297,6 +315,7 @@ class Parser {
   std::string_view text_;
   int dim_;
   const std::map<std::string, double>& parameters_;
+  Parameters kind_;
   Graph& graph_;
   Mentions& mentions_;
   std::size_t at_ = 0;
@@ -306,12 +325,48 @@ class Parser {
 
 }  // namespace
 
+bool is_expression(std::string_view text) {
+  return text.empty() || !begins_name(text[0]) || !std::all_of(text.begin(), text.end(), continues_name);
+}
+
+std::set<std::string> parameter_names(std::string_view text) {
+  std::set<std::string> names;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t start = at;
+    if (is_digit(text[at]) || text[at] == '.') {
+      double number = 0;
+      const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), number);
+      at = std::max(static_cast<std::size_t>(end - text.data()), start + 1);
+    } else if (begins_name(text[at])) {
+      while (at < text.size() && continues_name(text[at])) ++at;
+      const std::string_view word = text.substr(start, at - start);
+      const bool is_call =
+          text.substr(std::min(text.find_first_not_of(' ', at), text.size())).starts_with('(');
+      if (!is_call && std::find(std::begin(variables), std::end(variables), word) == std::end(variables))
+        names.emplace(word);
+    } else {
+      ++at;
+    }
+  }
+  return names;
+}
+
 Node parse(std::string_view text, int dim, const std::map<std::string, double>& parameters, Graph& graph,
            Mentions& mentions) {
-  if (text.size() > max_length)
-    throw Error("an expression of " + std::to_string(text.size()) + " characters; " +
-                std::to_string(max_length) + " is the most");
-  return Parser(text, dim, parameters, graph, mentions).run();
+  return Parser(text, dim, parameters, Parser::Parameters::by_value, graph, mentions).run();
+}
+
+Node parse_with_names(std::string_view text, int dim, const std::set<std::string>& parameters, Graph& graph,
+                      Mentions& mentions) {
+  std::map<std::string, double> numbers;
+  for (const std::string& name : parameters) numbers.emplace(name, numbers.size());
+  return Parser(text, dim, numbers, Parser::Parameters::by_number, graph, mentions).run();
+}
+
+std::string_view function_name(Op op) {
+  for (const Function& function : functions)
+    if (function.op == op) return function.name;
+  return {};
 }
 
 }  // namespace isostretch::expressions

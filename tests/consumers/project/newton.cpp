@@ -16,7 +16,7 @@ using namespace isostretch;
 
 static newton::Summary flatten(const char* file, mesh::Points2& uv) {
   // clang-format off
-  // snippet: README
+  // snippet: README.md
   auto model = mesh::read_surface(file);                      // a topological disk
   auto start = mesh::tutte_embedding(model).uv;               // flip-free
   auto rest = mesh::flat_elements(model);                     // rest shape of every triangle

@@ -40,20 +40,14 @@ class Anderson final : public FirstOrderMethod {
     return step;
   }
 
-  bool restart() override {
-    const bool any = last_image_.size() > 0;
-    differences_.clear();
-    last_image_.resize(0);
-    return any;
-  }
-
  private:
   struct Difference {
     Vector image, residual;
   };
 
   void remember(const Vector& image, const Vector& residual) {
-    if (last_image_.size() > 0) {
+    // A difference of nothing says nothing.
+    if (last_image_.size() > 0 && residual != last_residual_) {
       differences_.push_front({image - last_image_, residual - last_residual_});
       if (differences_.size() > window) differences_.pop_back();
     }
@@ -67,7 +61,7 @@ class Anderson final : public FirstOrderMethod {
     Eigen::MatrixXd normal(size, size);
     Eigen::VectorXd right(size), length(size);
     for (Eigen::Index i = 0; i < size; ++i) {
-      length[i] = std::max(difference(i).residual.norm(), 1e-300);
+      length[i] = difference(i).residual.norm();
       right[i] = difference(i).residual.dot(residual) / length[i];
     }
     for (Eigen::Index i = 0; i < size; ++i)

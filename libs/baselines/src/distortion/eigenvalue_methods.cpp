@@ -18,9 +18,10 @@ namespace {
 template <class Rule>
 newton::Summary run(const DistortionProblem& problem, Vector& x, const MethodOptions& options,
                     const newton::IterationCallback& callback) {
+  const Timer timer;
   return minimize_with(
-      std::make_unique<newton::EnergyTerm>(problem.elements, with_rule<Rule>(problem.energy)), problem, x,
-      options, callback);
+      timer, std::make_unique<newton::EnergyTerm>(problem.elements, with_rule<Rule>(problem.energy)), problem,
+      x, options, callback);
 }
 
 std::string planar_only(const DistortionProblem& problem) {

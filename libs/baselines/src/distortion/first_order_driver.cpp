@@ -1,6 +1,7 @@
 #include "first_order_driver.hpp"
 
 #include "newton_driver.hpp"
+#include "shear_modulus.hpp"
 #include "stagnation.hpp"
 
 #include <isostretch/core/timer.hpp>
@@ -28,7 +29,7 @@ double bounding_box_diagonal(const Vector& x, int dim) {
 }  // namespace
 
 SharedPieces::SharedPieces(const DistortionProblem& problem, newton::Summary& summary)
-    : problem_(problem), summary_(summary) {
+    : problem_(problem), summary_(summary), stiffness_(shear_at_rest(problem)) {
   const ScopedTimer timer(summary_.seconds.setup);
   objective_ = std::make_unique<newton::Objective>(objective_of(problem));
   metric_ = std::make_unique<DirichletMetric>(problem);
@@ -62,7 +63,7 @@ double SharedPieces::noise(const Iterate& at) const {
   const double length =
       last_digits * bounding_box_diagonal(at.x, problem_.elements.dim) + epsilon * at.x.cwiseAbs().maxCoeff();
   return std::max(relative * std::abs(at.energy),
-                  metric_->unknowns() * metric_->typical_stiffness() * length * length);
+                  metric_->unknowns() * stiffness_ * metric_->typical_stiffness() * length * length);
 }
 
 Step search_step(const Iterate& from, const Vector& direction, const newton::Options& options,

@@ -27,7 +27,8 @@ class SharedPieces {
   sparse::FactorResult factorize();
   void solve(const Vector& right, Vector& direction);  // with the metric
 
-  // Differences of energies below this mean nothing, as in newton::minimize.
+  // Differences of energies below this mean nothing, as in newton::minimize, which has the stiffness of the
+  // Hessian at hand; here it is that of the metric by the energy's shear modulus at rest.
   double noise(const Iterate& at) const;
 
   newton::Seconds& seconds() { return summary_.seconds; }
@@ -35,6 +36,7 @@ class SharedPieces {
  private:
   const DistortionProblem& problem_;
   newton::Summary& summary_;
+  double stiffness_;  // shear modulus of the energy at rest
   std::unique_ptr<newton::Objective> objective_;
   std::unique_ptr<DirichletMetric> metric_;
 };

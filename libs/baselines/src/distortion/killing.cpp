@@ -2,29 +2,17 @@
 
 #include "method_registry.hpp"
 #include "newton_driver.hpp"
+#include "shear_modulus.hpp"
 #include "unsuited.hpp"
 
 #include <Eigen/LU>
 
-#include <algorithm>
 #include <memory>
 
 namespace isostretch::baselines {
-namespace {
-
-template <int Dim>
-double shear_at_rest(const energies::AnyEnergy& energy) {
-  invariants::Stretch<Dim, double> rest;
-  std::fill_n(rest.sigma, Dim, 1.0);
-  return 0.5 * energies::derivatives_at(energy, rest).flip[0];
-}
-
-}  // namespace
 
 KillingTerm::KillingTerm(const DistortionProblem& problem)
-    : ModelledEnergyTerm(problem),
-      shear_(problem.elements.dim == 2 ? shear_at_rest<2>(problem.energy)
-                                       : shear_at_rest<3>(problem.energy)) {}
+    : ModelledEnergyTerm(problem), shear_(shear_at_rest(problem)) {}
 
 void KillingTerm::model(const Vector& x) {
   elements().dim == 2 ? model_elements<2>(x) : model_elements<3>(x);
@@ -61,7 +49,8 @@ std::string unsuited(const DistortionProblem& problem) {
 
 newton::Summary run(const DistortionProblem& problem, Vector& x, const MethodOptions& options,
                     const newton::IterationCallback& callback) {
-  return minimize_with(std::make_unique<KillingTerm>(problem), problem, x, options, callback);
+  const Timer timer;
+  return minimize_with(timer, std::make_unique<KillingTerm>(problem), problem, x, options, callback);
 }
 
 }  // namespace

@@ -26,12 +26,23 @@ newton::Options shared_options(const MethodOptions& options) {
   return shared;
 }
 
-newton::Summary minimize_with(std::unique_ptr<newton::Term> term, const DistortionProblem& problem, Vector& x,
-                              const MethodOptions& options, const newton::IterationCallback& callback) {
+newton::Summary minimize_since(const Timer& timer, newton::Objective& objective, Vector& x,
+                               const newton::Options& options, const newton::IterationCallback& callback) {
+  const double before = timer.seconds();
+  newton::Summary summary = newton::minimize(objective, x, options, callback);
+  summary.seconds.setup += before;
+  summary.seconds.total += before;
+  for (newton::Iteration& row : summary.trace) row.seconds += before;
+  return summary;
+}
+
+newton::Summary minimize_with(const Timer& timer, std::unique_ptr<newton::Term> term,
+                              const DistortionProblem& problem, Vector& x, const MethodOptions& options,
+                              const newton::IterationCallback& callback) {
   newton::Objective objective = objective_of(problem, std::move(term));
   newton::Options shared = shared_options(options);
   shared.projection = newton::Projection::none;
-  return newton::minimize(objective, x, shared, callback);
+  return minimize_since(timer, objective, x, shared, callback);
 }
 
 }  // namespace isostretch::baselines

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <isostretch/baselines/distortion.hpp>
+#include <isostretch/core/timer.hpp>
 
 namespace isostretch::baselines {
 
@@ -12,8 +13,13 @@ newton::Objective objective_of(const DistortionProblem& problem);  // with an En
 // is no part of the published methods).
 newton::Options shared_options(const MethodOptions& options);
 
-// Newton's loop with the Hessians that `term` makes by itself: they are taken as they are.
-newton::Summary minimize_with(std::unique_ptr<newton::Term> term, const DistortionProblem& problem, Vector& x,
-                              const MethodOptions& options, const newton::IterationCallback& callback);
+// Newton's loop. What passed since `timer` began, making the objective, counts as set-up.
+newton::Summary minimize_since(const Timer& timer, newton::Objective& objective, Vector& x,
+                               const newton::Options& options, const newton::IterationCallback& callback);
+
+// The same with the Hessians that `term` makes by itself: they are taken as they are.
+newton::Summary minimize_with(const Timer& timer, std::unique_ptr<newton::Term> term,
+                              const DistortionProblem& problem, Vector& x, const MethodOptions& options,
+                              const newton::IterationCallback& callback);
 
 }  // namespace isostretch::baselines

@@ -8,19 +8,21 @@ namespace {
 
 newton::Summary run_default(const DistortionProblem& problem, Vector& x, const MethodOptions& options,
                             const newton::IterationCallback& callback) {
+  const Timer timer;
   newton::Objective objective = objective_of(problem);
   newton::Options own = shared_options(options);
   own.max_expansion = newton::Options().max_expansion;
-  return newton::minimize(objective, x, own, callback);
+  return minimize_since(timer, objective, x, own, callback);
 }
 
 template <newton::Projection projection>
 newton::Summary run(const DistortionProblem& problem, Vector& x, const MethodOptions& options,
                     const newton::IterationCallback& callback) {
+  const Timer timer;
   newton::Objective objective = objective_of(problem);
   newton::Options shared = shared_options(options);
   shared.projection = projection;
-  return newton::minimize(objective, x, shared, callback);
+  return minimize_since(timer, objective, x, shared, callback);
 }
 
 }  // namespace

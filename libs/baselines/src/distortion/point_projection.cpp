@@ -71,7 +71,8 @@ class PointProjection final : public ModelledEnergyTerm {
 
 newton::Summary run(const DistortionProblem& problem, Vector& x, const MethodOptions& options,
                     const newton::IterationCallback& callback) {
-  return minimize_with(std::make_unique<PointProjection>(problem), problem, x, options, callback);
+  const Timer timer;
+  return minimize_with(timer, std::make_unique<PointProjection>(problem), problem, x, options, callback);
 }
 
 }  // namespace

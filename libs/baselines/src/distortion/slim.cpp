@@ -14,12 +14,23 @@
 namespace isostretch::baselines {
 namespace {
 
-// The stretch that costs nothing, nearest to sigma; the same for all directions with every energy here.
+// (d psi / d sigma_i) / (sigma_i - t), t the nearest stretch that costs nothing: 1, where the quotient has
+// the curvature as its limit. Of the scale-invariant energies t moves with sigma, and the quotient is written
+// out: t^2 is the product of the stretches for MIPS, the mean of their squares for conformal AMIPS.
 template <int Dim>
-double nearest_free_stretch(const energies::AnyEnergy& energy, const invariants::Stretch<Dim, double>& s) {
-  if (energy.name() == "mips_2d") return std::sqrt(s.J());
-  if (energy.name() == "conformal_amips_3d") return std::sqrt(s.I2() / Dim);
-  return 1;
+double slope_over_distance(const energies::AnyEnergy& energy, const invariants::Stretch<Dim, double>& s,
+                           int i, double slope, double curvature) {
+  constexpr double meeting = 1e-8;
+  if (energy.name() == "mips_2d") {
+    const double other = s.others(i), root = std::sqrt(s[i]);
+    return (s[i] + other) * (root + std::sqrt(other)) / (s[i] * s[i] * other * root);
+  }
+  if (energy.name() == "conformal_amips_3d") {
+    const double free = std::sqrt(s.I2() / Dim), scale = std::cbrt(s.J());
+    return 2.0 / 3 * (s[i] + free) / (s[i] * scale * scale);
+  }
+  const double distance = s[i] - 1;
+  return std::abs(distance) > meeting ? slope / distance : curvature;
 }
 
 // A few elements at one quadrature point of each: singular vectors and values, and what psi does there.
@@ -43,18 +54,13 @@ struct Batch {
     for (int e = 0; e < Dim * Dim; ++e) result.data()[e] = U[index(e, i)];
     return result;
   }
-  // omega^2 by direction. Where sigma meets the free stretch the quotient has the curvature as its limit.
+  // omega^2 by direction.
   Eigen::Matrix<double, Dim, 1> squared_weights(const energies::AnyEnergy& energy, int i) const {
-    constexpr double meeting = 1e-8;
     invariants::Stretch<Dim, double> s;
     for (int e = 0; e < Dim; ++e) s.sigma[e] = sigma[index(e, i)];
-    const double free = nearest_free_stretch<Dim>(energy, s);
     Eigen::Matrix<double, Dim, 1> squared;
-    for (int e = 0; e < Dim; ++e) {
-      const double difference = s.sigma[e] - free;
-      const bool apart = std::abs(difference) > meeting * free;
-      squared[e] = 0.5 * (apart ? gradient[index(e, i)] / difference : diagonal[index(e, i)]);
-    }
+    for (int e = 0; e < Dim; ++e)
+      squared[e] = 0.5 * slope_over_distance<Dim>(energy, s, e, gradient[index(e, i)], diagonal[index(e, i)]);
     return squared;
   }
 
@@ -110,7 +116,8 @@ std::string unsuited(const DistortionProblem& problem) {
 
 newton::Summary run(const DistortionProblem& problem, Vector& x, const MethodOptions& options,
                     const newton::IterationCallback& callback) {
-  return minimize_with(std::make_unique<SlimTerm>(problem), problem, x, options, callback);
+  const Timer timer;
+  return minimize_with(timer, std::make_unique<SlimTerm>(problem), problem, x, options, callback);
 }
 
 }  // namespace

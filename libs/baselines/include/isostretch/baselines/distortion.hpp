@@ -10,7 +10,7 @@
 #include <vector>
 
 // What others do to minimise isotropic distortion energies, and ours, behind one call: on the same elements,
-// energies, assembly, factorization and line search, so that a comparison is one of methods.
+// energies, assembly, factorization and line-search routine, so that a comparison is one of methods.
 namespace isostretch::baselines {
 
 // sum over quadrature points of weight * psi(F), over the positions of all nodes but those pinned.

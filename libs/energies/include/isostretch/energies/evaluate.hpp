@@ -3,14 +3,13 @@
 // What an energy may give and how the rest is derived from it. Kernel templates.
 //
 // An energy is a struct with a `name` and one of
-//   template <int Dim, class T> T psi(const Invariants<Dim, T>& I) const;   // enough on its own: jets derive
-//   the rest template <int Dim, class T> T psi(const Stretch<Dim, T>& s) const;      // together with
-//   derivatives()
-// and optionally
-//   template <int Dim, class T> Partials<T> partials(const Invariants<Dim, T>& I) const;      // instead of
-//   the jets template <int Dim, class T> void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim,
-//   T>& d) const;
-//                                      // forms in sigma: fastest, and accurate at any stretch
+//   template <int Dim, class T> T psi(const Invariants<Dim, T>& I) const;
+//   template <int Dim, class T> T psi(const Stretch<Dim, T>& s) const;
+// each of which is enough on its own, jets derive the rest; and optionally one of
+//   template <int Dim, class T> Partials<T> partials(const Invariants<Dim, T>& I) const;
+//   template <int Dim, class T> void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d)
+//   const;
+// instead of the jets: forms in sigma are fastest, and accurate at any stretch. And
 //   static constexpr double minimum_determinant;   // barrier: psi = +infinity at det F <= this
 //   double determinant_bound() const;              // the same where it is a parameter
 //   static constexpr bool supports(int dim);       // both dimensions unless it says otherwise
@@ -23,6 +22,7 @@
 
 #include <isostretch/energies/chunk.hpp>
 #include <isostretch/energies/forms.hpp>
+#include <isostretch/energies/stretch_jets.hpp>
 
 namespace isostretch::energies {
 
@@ -65,8 +65,10 @@ ISOSTRETCH_INLINE void evaluate_derivatives(const Energy& energy, const Stretch<
     energy.derivatives(s, d);
   } else if constexpr (requires { energy.partials(s.invariants()); }) {
     invariants::derivatives_from_partials(s, energy.partials(s.invariants()), d);
-  } else {
+  } else if constexpr (requires { energy.psi(s.invariants()); }) {
     invariants::derivatives_from_partials(s, invariants::partials_by_jets(energy, s.invariants()), d);
+  } else {
+    derivatives_by_stretch_jets(energy, s, d);
   }
 }
 

@@ -9,11 +9,53 @@
 
 namespace isostretch::energies {
 
-// Names of the built-in energies in alphabetical order.
+// An energy by name and parameters. `make` throws Error naming a parameter that there is not, or whose value
+// is not finite.
+struct EnergyEntry {
+  std::string name;
+  AnyEnergy (*make)(const std::map<std::string, double>& parameters) = nullptr;
+};
+
+// The entry of a struct as AnyEnergy takes it.
+template <class Energy>
+EnergyEntry entry_of();
+
+// Adds an energy of the caller's to the registry, for as long as the program runs. Throws Error when the name
+// is taken. Not while other threads use the registry.
+void add_energy(EnergyEntry entry);
+
+// Names of all energies in alphabetical order.
 std::vector<std::string> energy_names();
 
-// The built-in energy of that name with its default parameters but for those given. An unknown name or
+// The energy of that name with its default parameters but for those given. An unknown name or
 // parameter, and a value that is not finite, throw Error naming what there is.
 AnyEnergy make_energy(std::string_view name, const std::map<std::string, double>& parameters = {});
+
+namespace detail {
+
+// Throws Error where `given` has a name that is not `known`, or a value that is not finite.
+void require_known(const char* energy, const std::vector<std::string>& known,
+                   const std::map<std::string, double>& given);
+
+template <class Energy>
+AnyEnergy make(const std::map<std::string, double>& parameters) {
+  Energy energy;
+  std::vector<std::string> known;
+  if constexpr (requires { energy.parameters([](const char*, double&, const char*) {}); }) {
+    energy.parameters([&](const char* name, double& value, const char*) {
+      known.emplace_back(name);
+      if (const auto given = parameters.find(name); given != parameters.end()) value = given->second;
+    });
+  }
+  require_known(Energy::name, known, parameters);
+  return AnyEnergy(energy);
+}
+
+}  // namespace detail
+
+template <class Energy>
+EnergyEntry entry_of() {
+  return {Energy::name, detail::make<Energy>};
+}
 
 }  // namespace isostretch::energies

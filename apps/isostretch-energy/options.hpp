@@ -1,0 +1,28 @@
+#pragma once
+
+#include "common/choice_names.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace isostretch::app::inspect {
+
+enum class Dimensions { two = 2, three = 3, both };
+inline constexpr ChoiceNames<Dimensions, 3> dimension_names{
+    {{"2", Dimensions::two}, {"3", Dimensions::three}, {"both", Dimensions::both}}};
+
+// Of stretches, around 1.
+struct Range {
+  double low = 0.3, high = 3;
+};
+
+struct Options {
+  std::string energy;  // a name or an expression
+  std::map<std::string, double> parameters;
+  Dimensions dimensions = Dimensions::both;  // both: those that there are
+  Range range;
+  std::filesystem::path out;  // empty: nothing is written
+};
+
+}  // namespace isostretch::app::inspect

@@ -1,0 +1,38 @@
+#pragma once
+
+// Energies in a shared library of the user's, for every app (--plugin FILE):
+//
+//   #include <isostretch/energies/plugin.hpp>
+//   struct MyEnergy { ... };                      // as isostretch/energies/evaluate.hpp has it
+//   ISOSTRETCH_ENERGY_PLUGIN(MyEnergy)            // once in a library, with one struct or several
+//
+//   c++ -std=c++20 -O3 -march=native -fPIC -shared my_energy.cpp -o my_energy.so   (and the include paths)
+//
+// with the compiler and the version of isostretch that the app has: structures cross the boundary.
+
+#include <isostretch/core/version.hpp>
+#include <isostretch/energies/registry.hpp>
+
+#include <vector>
+
+namespace isostretch::energies {
+
+// What the one symbol of a plug-in points to.
+struct Plugin {
+  const char* version;  // of isostretch
+  std::vector<EnergyEntry> (*entries)();
+};
+
+inline constexpr const char* plugin_symbol = "isostretch_energy_plugin";
+
+template <class... Energies>
+std::vector<EnergyEntry> entries_of() {
+  return {entry_of<Energies>()...};
+}
+
+}  // namespace isostretch::energies
+
+#define ISOSTRETCH_ENERGY_PLUGIN(...)                                          \
+  extern "C" const ::isostretch::energies::Plugin isostretch_energy_plugin;    \
+  extern "C" const ::isostretch::energies::Plugin isostretch_energy_plugin = { \
+      ::isostretch::version_string, ::isostretch::energies::entries_of<__VA_ARGS__>};

@@ -1,0 +1,33 @@
+// A plug-in as a user writes it: symmetric Dirichlet, and an energy with a parameter.
+#include <isostretch/energies/plugin.hpp>
+
+struct MySymmetricDirichlet {
+  static constexpr const char* name = "my_symmetric_dirichlet";
+  static constexpr double minimum_determinant = 0.0;
+  static constexpr bool supports(int dim) { return dim == 2; }
+
+  template <int Dim, class T>
+  T psi(const isostretch::energies::Invariants<Dim, T>& I) const {
+    return I.I2 + I.I2 / (I.I3 * I.I3);
+  }
+};
+
+struct MyNeoHookean {
+  static constexpr const char* name = "my_neo_hookean";
+  static constexpr double minimum_determinant = 0.0;
+  double bulk = 1.0;
+
+  template <class Visitor>
+  void parameters(Visitor&& visit) {
+    visit("bulk", bulk, "resistance to change of volume");
+  }
+
+  template <int Dim, class T>
+  T psi(const isostretch::energies::Invariants<Dim, T>& I) const {
+    using isostretch::log;
+    const T L = log(I.I3);
+    return 0.5 * I.I2 - L + 0.5 * bulk * L * L;
+  }
+};
+
+ISOSTRETCH_ENERGY_PLUGIN(MySymmetricDirichlet, MyNeoHookean)
