@@ -17,7 +17,7 @@ namespace isostretch::app {
 struct CommonOptions {
   bool quiet = false;
   bool verbose = false;
-  int threads = 0;  // 0: as OpenMP likes
+  int threads = 0;                   // 0: as OpenMP likes
   std::vector<std::string> plugins;  // loaded by then
 
   Verbosity verbosity() const {

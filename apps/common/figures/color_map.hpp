@@ -11,8 +11,8 @@ struct Color {
 // that the order of values survives a grey print and colour-blind eyes. Values outside are clamped.
 Color distortion_color(double value);
 
-// Of values with a sign, from dark blue (-1) over nearly white (0) to dark red (1), equally dark at both ends.
-// Values outside are clamped.
+// Of values with a sign, from dark blue (-1) over nearly white (0) to dark red (1), equally dark at both
+// ends. Values outside are clamped.
 Color diverging_color(double value);
 
 // Outside the scale altogether: elements that are turned over.
