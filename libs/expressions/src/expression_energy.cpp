@@ -9,6 +9,7 @@
 #include <isostretch/expressions/expression.hpp>
 #include <isostretch/invariants/stretch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -34,6 +35,17 @@ std::vector<Node> by_stretches(Graph& graph, Node psi) {
     outputs.push_back(ExchangeDifferences(graph, j, k)(D(psi, stretch(j))));
   }
   return outputs;
+}
+
+// Whether off-diagonal entries of A are anything but zero, as far as can be seen without values. Of partials
+// P3 and all second ones matter.
+bool couples_by_partials(const Graph& graph, const std::vector<Node>& outputs) {
+  return std::any_of(outputs.begin() + 3, outputs.end(), [&](Node n) { return !graph.is_constant(n, 0); });
+}
+bool couples(const Graph& graph, const std::vector<Node>& outputs, int dim) {
+  const int pairs = dim == 2 ? 1 : 3;
+  const auto first = outputs.begin() + 1 + 2 * dim;
+  return std::any_of(first, first + pairs, [&](Node n) { return !graph.is_constant(n, 0); });
 }
 
 // Registers of the calling thread.
@@ -73,8 +85,10 @@ ExpressionEnergy::ExpressionEnergy(std::string_view text, const std::map<std::st
   if (!programs_[0] && !programs_[1])
     throw Error("the expression is not finite at any stretch between 1/3 and 3: " + text_);
   require_used(parameters);
-  for (const auto& programs : programs_)
+  for (const auto& programs : programs_) {
     if (programs && programs->ends_at_zero) determinant_bound_ = 0;
+    if (programs && programs->coupled) coupled_ = true;
+  }
 }
 
 // Nothing where the expression does not exist in that dimension.
@@ -93,9 +107,12 @@ std::optional<ExpressionEnergy::Programs> ExpressionEnergy::programs_for(
   programs.psi = compile(graph, {psi});
   programs.by_partials = mentions.only_invariants();
   graph.assume_finite();
-  programs.derivatives = compile(graph, programs.by_partials ? partials(graph, psi, dim)
-                                        : dim == 2           ? by_stretches<2>(graph, psi)
-                                                             : by_stretches<3>(graph, psi));
+  const std::vector<Node> outputs = programs.by_partials ? partials(graph, psi, dim)
+                                    : dim == 2           ? by_stretches<2>(graph, psi)
+                                                         : by_stretches<3>(graph, psi);
+  programs.coupled =
+      programs.by_partials ? couples_by_partials(graph, outputs) : couples(graph, outputs, dim);
+  programs.derivatives = compile(graph, outputs);
   return programs;
 }
 

@@ -19,7 +19,7 @@ class ExpressionEnergy final : public energies::ChunkEnergy {
   std::string name() const override { return text_; }
   bool supports(int dim) const override { return programs_[dim - 2].has_value(); }
   double determinant_bound() const override { return determinant_bound_; }
-  bool coupled() const override { return true; }
+  bool coupled() const override { return coupled_; }
   std::vector<energies::Parameter> parameters() const override { return parameters_; }
   void psi(int dim, const energies::StretchChunk& chunk) const override;
   void derivatives(int dim, const energies::StretchChunk& chunk) const override;
@@ -28,6 +28,7 @@ class ExpressionEnergy final : public energies::ChunkEnergy {
   struct Programs {
     Program psi, derivatives;
     bool by_partials = false;  // derivatives are partials by invariants
+    bool coupled = true;       // A has off-diagonal entries
     bool ends_at_zero = false;
   };
   std::optional<Programs> programs_for(int dim, const std::map<std::string, double>& parameters) const;
@@ -36,6 +37,7 @@ class ExpressionEnergy final : public energies::ChunkEnergy {
   std::string text_;
   std::vector<energies::Parameter> parameters_;
   double determinant_bound_;
+  bool coupled_ = false;
   std::optional<Programs> programs_[2];
 };
 

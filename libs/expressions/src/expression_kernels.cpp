@@ -41,7 +41,13 @@ class Machine {
   ISOSTRETCH_INLINE void binary(const Instruction& in, const Function& f) const {
     const double *a = at(in.a), *b = at(in.b);
     double* to = at(in.to);
-    for (int i = 0; i < chunk_.count; i += lanes) store(to + i, f(load<Pack>(a + i), load<Pack>(b + i)));
+    const Pack value(in.value);
+    if (in.immediate == Instruction::Immediate::second)
+      for (int i = 0; i < chunk_.count; i += lanes) store(to + i, f(load<Pack>(a + i), value));
+    else if (in.immediate == Instruction::Immediate::first)
+      for (int i = 0; i < chunk_.count; i += lanes) store(to + i, f(value, load<Pack>(b + i)));
+    else
+      for (int i = 0; i < chunk_.count; i += lanes) store(to + i, f(load<Pack>(a + i), load<Pack>(b + i)));
   }
   // Functions that no pack has.
   template <class Function>

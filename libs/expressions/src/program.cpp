@@ -57,8 +57,19 @@ class Compiler {
     }
   }
 
+  // Of two operands one may be a number: it needs no register then.
+  Instruction::Immediate immediate(const Operation& o) const {
+    if (operand_count(o.op) != 2) return Instruction::Immediate::none;
+    if (graph_.is_constant(o.b)) return Instruction::Immediate::second;
+    return graph_.is_constant(o.a) ? Instruction::Immediate::first : Instruction::Immediate::none;
+  }
+
+  // Those that are in registers.
   std::vector<Node> operands(Node node) const {
     const Operation& o = graph_[node];
+    const Instruction::Immediate number = immediate(o);
+    if (number == Instruction::Immediate::first) return {o.b};
+    if (number == Instruction::Immediate::second) return {o.a};
     const Node all[] = {o.a, o.b, o.c};
     return {all, all + operand_count(o.op)};
   }
@@ -68,7 +79,9 @@ class Compiler {
     const auto read = [&](int i, Node operand) {
       return i < operand_count(o.op) ? register_of_[operand] : std::uint16_t{0};
     };
-    Instruction instruction{o.op, 0, read(0, o.a), read(1, o.b), read(2, o.c), o.value};
+    Instruction instruction{o.op, immediate(o), 0, read(0, o.a), read(1, o.b), read(2, o.c), o.value};
+    if (instruction.immediate == Instruction::Immediate::first) instruction.value = graph_[o.a].value;
+    if (instruction.immediate == Instruction::Immediate::second) instruction.value = graph_[o.b].value;
     // Every operation reads an entry before it writes it: the result may take an operand's place.
     for (const Node operand : operands(node))
       if (last_use_[operand] == static_cast<int>(node)) release(register_of_[operand]);

@@ -9,7 +9,10 @@ namespace isostretch::expressions {
 
 // Operations in an order in which they can be carried out, on numbered registers, each one array of a chunk.
 struct Instruction {
+  enum class Immediate : std::uint8_t { none, first, second };
+
   Op op;
+  Immediate immediate = Immediate::none;  // the operand that is `value`, in the place of a register
   std::uint16_t to, a, b, c;
   double value;
 };

@@ -145,6 +145,13 @@ TEST_SUITE("expressions") {
     CHECK((!parse_energy("s1*s2*s3").supports(2) && parse_energy("s1*s2*s3").supports(3)));
   }
 
+  TEST_CASE("energies whose scaling modes decouple are known") {
+    for (const char* decoupled : {"I2 - 2*I1 + d", "sum(s^2 + 1/s^2)", "sum(log(s)^2)"})
+      CHECK_FALSE(parse_energy(decoupled).coupled());
+    for (const char* coupled : {"I2 + (J - 1)^2", "I1^2", "sum(s)^2", "s1*s2"})
+      CHECK(parse_energy(coupled).coupled());
+  }
+
   TEST_CASE("barriers are found where there are some") {
     for (const char* barrier :
          {"I2 - log(J)", "I2/J", "I2 + J^-2", "I2*J^(-2/3)", "sum(1/s^2)", "I2 + J*log(J)", "I2 + sqrt(J)",
