@@ -326,7 +326,9 @@ class Parser {
 }  // namespace
 
 bool is_expression(std::string_view text) {
-  return text.empty() || !begins_name(text[0]) || !std::all_of(text.begin(), text.end(), continues_name);
+  const bool is_name =
+      !text.empty() && begins_name(text[0]) && std::all_of(text.begin(), text.end(), continues_name);
+  return !is_name || std::find(std::begin(variables), std::end(variables), text) != std::end(variables);
 }
 
 std::set<std::string> parameter_names(std::string_view text) {

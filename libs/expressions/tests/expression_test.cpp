@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -136,6 +137,14 @@ TEST_SUITE("expressions") {
     } catch (const Error& error) {
       CHECK(std::string(error.what()).find("operations") != std::string::npos);
     }
+  }
+
+  TEST_CASE("a name is no expression unless it is a variable's") {
+    for (const char* expression : {"I2", "J", "I1 + 1", "2*mu", "", "1"})
+      CHECK(expressions::is_expression(expression));
+    for (const char* name : {"arap", "my_energy_2", "mu"}) CHECK_FALSE(expressions::is_expression(name));
+    CHECK(expressions::parameter_names("mu*(I2 - d) + 1e5*log (J) - k_1*sum(s^2)") ==
+          std::set<std::string>{"k_1", "mu"});
   }
 
   TEST_CASE("the dimensions of an energy are what it mentions") {
