@@ -125,20 +125,9 @@ Node ExchangeDifferences::exchanged(Node expression) {
     case Op::power:
       result = graph_.power(exchanged(o.a), o.value);
       break;
-    case Op::add:
-    case Op::subtract:
-    case Op::multiply:
-    case Op::divide:
-    case Op::min:
-    case Op::max:
-    case Op::less:
-    case Op::less_equal:
-    case Op::logical_and:
-    case Op::logical_or:
-      result = graph_.binary(o.op, exchanged(o.a), exchanged(o.b));
-      break;
     default:
-      result = graph_.unary(o.op, exchanged(o.a));
+      result = operand_count(o.op) == 2 ? graph_.binary(o.op, exchanged(o.a), exchanged(o.b))
+                                        : graph_.unary(o.op, exchanged(o.a));
   }
   exchanged_.emplace(expression, result);
   return result;

@@ -17,6 +17,29 @@ bool commutes(Op op) {
 
 }  // namespace
 
+int operand_count(Op op) {
+  switch (op) {
+    case Op::constant:
+    case Op::variable:
+      return 0;
+    case Op::add:
+    case Op::subtract:
+    case Op::multiply:
+    case Op::divide:
+    case Op::min:
+    case Op::max:
+    case Op::less:
+    case Op::less_equal:
+    case Op::logical_and:
+    case Op::logical_or:
+      return 2;
+    case Op::select:
+      return 3;
+    default:
+      return 1;
+  }
+}
+
 bool Operation::operator==(const Operation& other) const {
   // By bits: -0 is not 0, and NaN is itself.
   return op == other.op && a == other.a && b == other.b && c == other.c &&

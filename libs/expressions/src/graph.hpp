@@ -43,6 +43,9 @@ enum class Op : std::uint8_t {
   select  // a != 0 ? b : c
 };
 
+// 0 to 3.
+int operand_count(Op op);
+
 // What an expression is made of besides numbers. In the plane s3 does not occur.
 // Beyond these are parameters, where they are kept by name.
 enum class Variable : std::uint16_t { I1, I2, I3, s1, s2, s3 };

@@ -9,29 +9,6 @@
 namespace isostretch::expressions {
 namespace {
 
-int operand_count(Op op) {
-  switch (op) {
-    case Op::constant:
-    case Op::variable:
-      return 0;
-    case Op::add:
-    case Op::subtract:
-    case Op::multiply:
-    case Op::divide:
-    case Op::min:
-    case Op::max:
-    case Op::less:
-    case Op::less_equal:
-    case Op::logical_and:
-    case Op::logical_or:
-      return 2;
-    case Op::select:
-      return 3;
-    default:
-      return 1;
-  }
-}
-
 class Compiler {
  public:
   explicit Compiler(const Graph& graph) : graph_(graph) {}
