@@ -238,7 +238,8 @@ TEST_CASE("compare: bodies with barriers, kinks and inverted elements, in space 
   const Outcome run =
       compare({"--scene", write_scene(scratch, scene), "--no-picture", "-o", scratch.path("out")});
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  for (const auto& problem : read_json(scratch.path("out/comparison.json"))["problems"]) {
+  const auto comparison = read_json(scratch.path("out/comparison.json"));
+  for (const auto& problem : comparison["problems"]) {
     CAPTURE(problem["name"]);
     CHECK(problem["facts"]["pinned"].get<int>() > 0);
     for (const auto& method : problem["methods"]) CHECK(method["status"] == "converged_gradient");
