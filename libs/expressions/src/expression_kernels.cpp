@@ -1,22 +1,17 @@
 // Compiled once per instruction-set level: see cmake/IsostretchKernels.cmake for what may be included here.
 #include "kernel_table.hpp"
 
+#include <isostretch/energies/chunk_access.hpp>
 #include <isostretch/invariants/partials.hpp>
 
 namespace isostretch::expressions::ISOSTRETCH_KERNELS {
 namespace {
 
+using energies::load_stretch;
+using energies::store_derivatives;
 using invariants::Partials;
 using invariants::Stretch;
 using invariants::StretchDerivatives;
-
-template <int Dim>
-ISOSTRETCH_INLINE Stretch<Dim, Pack> load_stretch(const energies::StretchChunk& chunk, int i) {
-  Stretch<Dim, Pack> s;
-  for (int e = 0; e < Dim; ++e)
-    s.sigma[e] = load<Pack>(chunk.sigma + static_cast<std::size_t>(e) * chunk.stride + i);
-  return s;
-}
 
 // One operation over all points of a chunk.
 class Machine {
@@ -169,10 +164,6 @@ ISOSTRETCH_INLINE Pack guarded(const Task& task, const Stretch<Dim, Pack>& s, Pa
   return select(Pack(task.determinant_bound) < s.J(), select(abs(psi) < infinity, psi, infinity), infinity);
 }
 
-ISOSTRETCH_INLINE void put(double* data, const energies::StretchChunk& chunk, int entry, int i, Pack value) {
-  store(data + static_cast<std::size_t>(entry) * chunk.stride + i, value);
-}
-
 template <int Dim>
 void psi_of(const Task& task, const energies::StretchChunk& chunk) {
   Machine(task, chunk).run<Dim>();
@@ -193,15 +184,7 @@ void from_partials(const Task& task, const energies::StretchChunk& chunk) {
     StretchDerivatives<Dim, Pack> d;
     derivatives_from_partials(s, p, d);
     store(chunk.psi + i, guarded(task, s, d.psi));
-    for (int e = 0; e < Dim; ++e) {
-      put(chunk.gradient, chunk, e, i, d.gradient[e]);
-      put(chunk.diagonal, chunk, e, i, d.diagonal[e]);
-    }
-    for (int e = 0; e < d.pairs; ++e) {
-      put(chunk.twist, chunk, e, i, d.twist[e]);
-      put(chunk.flip, chunk, e, i, d.flip[e]);
-      put(chunk.coupling, chunk, e, i, d.coupling[e]);
-    }
+    store_derivatives(chunk, i, d);
   }
 }
 
@@ -212,17 +195,19 @@ void from_stretches(const Task& task, const energies::StretchChunk& chunk) {
   for (int i = 0; i < chunk.count; i += lanes) {
     const auto s = load_stretch<Dim>(chunk, i);
     const auto next = [&](int number) { return result(task, chunk, number, i); };
-    store(chunk.psi + i, guarded(task, s, next(0)));
+    StretchDerivatives<Dim, Pack> d;
     for (int e = 0; e < Dim; ++e) {
-      put(chunk.gradient, chunk, e, i, next(1 + e));
-      put(chunk.diagonal, chunk, e, i, next(1 + Dim + e));
+      d.gradient[e] = next(1 + e);
+      d.diagonal[e] = next(1 + Dim + e);
     }
     for (int e = 0; e < pairs; ++e) {
-      const Pack slopes = next(1 + invariants::first<Dim>(e)) + next(1 + invariants::second<Dim>(e));
-      put(chunk.twist, chunk, e, i, slopes / s.safe_sum(e));
-      put(chunk.coupling, chunk, e, i, next(1 + 2 * Dim + e));
-      put(chunk.flip, chunk, e, i, next(1 + 2 * Dim + pairs + e));
+      const Pack slopes = d.gradient[invariants::first<Dim>(e)] + d.gradient[invariants::second<Dim>(e)];
+      d.twist[e] = slopes / s.safe_sum(e);
+      d.coupling[e] = next(1 + 2 * Dim + e);
+      d.flip[e] = next(1 + 2 * Dim + pairs + e);
     }
+    store(chunk.psi + i, guarded(task, s, next(0)));
+    store_derivatives(chunk, i, d);
   }
 }
 

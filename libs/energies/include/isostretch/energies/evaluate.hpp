@@ -21,6 +21,7 @@
 // isostretch::log;`.
 
 #include <isostretch/energies/chunk.hpp>
+#include <isostretch/energies/chunk_access.hpp>
 #include <isostretch/energies/forms.hpp>
 #include <isostretch/energies/stretch_jets.hpp>
 
@@ -93,18 +94,6 @@ ISOSTRETCH_INLINE Pack guarded(const Energy& energy, const Stretch<Dim, Pack>& s
   return psi;
 }
 
-template <int Dim>
-ISOSTRETCH_INLINE Stretch<Dim, Pack> load_stretch(const StretchChunk& chunk, int i) {
-  Stretch<Dim, Pack> s;
-  for (int e = 0; e < Dim; ++e)
-    s.sigma[e] = load<Pack>(chunk.sigma + static_cast<std::size_t>(e) * chunk.stride + i);
-  return s;
-}
-
-ISOSTRETCH_INLINE void store_entry(double* data, const StretchChunk& chunk, int entry, int i, Pack value) {
-  store(data + static_cast<std::size_t>(entry) * chunk.stride + i, value);
-}
-
 template <int Dim, class Energy>
 void psi_of_chunk(const void* object, const StretchChunk& chunk) {
   const Energy energy = *static_cast<const Energy*>(object);
@@ -122,15 +111,7 @@ void derivatives_of_chunk(const void* object, const StretchChunk& chunk) {
     StretchDerivatives<Dim, Pack> d;
     evaluate_derivatives(energy, s, d);
     store(chunk.psi + i, guarded(energy, s, d.psi));
-    for (int e = 0; e < Dim; ++e) {
-      store_entry(chunk.gradient, chunk, e, i, d.gradient[e]);
-      store_entry(chunk.diagonal, chunk, e, i, d.diagonal[e]);
-    }
-    for (int e = 0; e < d.pairs; ++e) {
-      store_entry(chunk.twist, chunk, e, i, d.twist[e]);
-      store_entry(chunk.flip, chunk, e, i, d.flip[e]);
-      store_entry(chunk.coupling, chunk, e, i, d.coupling[e]);
-    }
+    store_derivatives(chunk, i, d);
   }
 }
 
