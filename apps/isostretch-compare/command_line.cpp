@@ -5,6 +5,7 @@
 #include "common/exit_code.hpp"
 #include "common/numbers.hpp"
 #include "common/scene_input.hpp"
+#include "common/utf8.hpp"
 #include "common/validators.hpp"
 #include "scene_reader.hpp"
 
@@ -141,7 +142,9 @@ void CommandLine::add_problems(Json& scene) const {
   const Parameters parameters = parse_parameters(parameters_);
   Parameters unused = parameters;
   std::set<std::string> taken;
-  for (const std::string& mesh : meshes_)
+  for (const std::string& mesh : meshes_) {
+    // Runs find their problems in a scene, which is JSON.
+    if (valid_utf8(mesh) != mesh) throw Error("a mesh's path must be UTF-8 here: " + valid_utf8(mesh));
     for (const std::string& energy : split_energies(energies_)) {
       const auto own = naming_option("--energy", [&] { return parameters_of(energy, parameters); });
       for (const auto& [name, value] : own) unused.erase(name);
@@ -149,6 +152,7 @@ void CommandLine::add_problems(Json& scene) const {
                                    {"mesh", std::filesystem::absolute(mesh).string()},
                                    {"energy", {{"name", energy}, {"parameters", Json(own)}}}});
     }
+  }
   if (!unused.empty())
     throw Error("--param: none of the energies has a parameter '" + unused.begin()->first + "'");
 }

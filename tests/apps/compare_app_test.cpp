@@ -173,6 +173,13 @@ TEST_CASE("compare: methods on a face and a bar, with one optimum each, tables, 
           method_of(comparison["problems"][p], "newton")["energy"]);
 }
 
+TEST_CASE("compare: a path that JSON cannot hold is refused by name") {
+  const Scratch scratch;
+  mesh::write_obj(scratch.path("m\xff.obj"), mesh::procedural_face(3));
+  check_failure(scratch, {scratch.path("m\xff.obj"), "-o", scratch.path("out")}, 2,
+                {"must be UTF-8", "m\xEF\xBF\xBD.obj"});
+}
+
 TEST_CASE("compare: a mesh and energies from the command line; unsuited methods and failures are named") {
   const Scratch scratch;
   mesh::write_obj(scratch.path("my face.obj"), mesh::procedural_face(6));
