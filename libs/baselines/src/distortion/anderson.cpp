@@ -6,21 +6,23 @@
 //
 // where that lowers the energy, and G(x_k) where it does not; the history is kept then.
 //
-// Deviation: the small least-squares problem is solved by its normal equations with columns of unit length
-// and a rank-revealing factorization.
+// Deviation: the small least-squares problem is solved by its normal equations with columns of unit length,
+// in the directions of their matrix that stand out of rounding.
 #include "local_global.hpp"
 #include "method_registry.hpp"
+#include "symmetric_eigen.hpp"
 
-#include <Eigen/Dense>
-
-#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <deque>
+#include <numeric>
 #include <utility>
 
 namespace isostretch::baselines {
 namespace {
 
 constexpr std::size_t window = 5;
+constexpr double rounding = 1e-15;  // of the eigenvalues of a matrix with ones on its diagonal
 
 class Anderson final : public FirstOrderMethod {
  public:
@@ -57,23 +59,27 @@ class Anderson final : public FirstOrderMethod {
 
   // sum_j theta_j (difference of images)_j.
   Vector combination(const Vector& residual) const {
-    const auto size = static_cast<Eigen::Index>(differences_.size());
-    Eigen::MatrixXd normal(size, size);
-    Eigen::VectorXd right(size), length(size);
-    for (Eigen::Index i = 0; i < size; ++i) {
-      length[i] = difference(i).residual.norm();
-      right[i] = difference(i).residual.dot(residual) / length[i];
+    const std::size_t size = differences_.size();
+    std::array<double, window * window> normal;
+    std::array<double, window> right, length, theta{};
+    for (std::size_t i = 0; i < size; ++i) {
+      length[i] = differences_[i].residual.norm();
+      right[i] = differences_[i].residual.dot(residual) / length[i];
+      for (std::size_t j = 0; j <= i; ++j)
+        normal[i * size + j] = normal[j * size + i] =
+            differences_[i].residual.dot(differences_[j].residual) / (length[i] * length[j]);
     }
-    for (Eigen::Index i = 0; i < size; ++i)
-      for (Eigen::Index j = 0; j < size; ++j)
-        normal(i, j) = difference(i).residual.dot(difference(j).residual) / (length[i] * length[j]);
-    const Eigen::VectorXd theta = normal.completeOrthogonalDecomposition().solve(right);
+    const SymmetricEigen<window> eigen(normal.data(), static_cast<int>(size));
+    for (int k = 0; k < static_cast<int>(size); ++k) {
+      if (eigen.value(k) <= rounding) continue;
+      const double* v = eigen.vector(k);
+      const double along = std::inner_product(v, v + size, right.begin(), 0.0) / eigen.value(k);
+      for (std::size_t i = 0; i < size; ++i) theta[i] += along * v[i];
+    }
     Vector sum = Vector::Zero(residual.size());
-    for (Eigen::Index i = 0; i < size; ++i) sum += theta[i] / length[i] * difference(i).image;
+    for (std::size_t i = 0; i < size; ++i) sum += theta[i] / length[i] * differences_[i].image;
     return sum;
   }
-
-  const Difference& difference(Eigen::Index i) const { return differences_[static_cast<std::size_t>(i)]; }
 
   LocalGlobal map_;
   std::deque<Difference> differences_;  // newest first

@@ -5,6 +5,8 @@
 #include "newton_driver.hpp"
 #include "scaling_matrix.hpp"
 
+#include <array>
+#include <cstddef>
 #include <memory>
 
 namespace isostretch::baselines {
@@ -20,27 +22,30 @@ class ElementProjection final : public ModelledEnergyTerm {
   void model(const Vector&) override {
 #pragma omp parallel for schedule(static)
     for (int place = 0; place < element_count(); ++place) {
-      if (elements().dim == 2 && nodes() == 3)
-        project<2, 6>(hessian_at(place));
-      else if (elements().dim == 2)
-        project<2, Eigen::Dynamic>(hessian_at(place));
-      else if (nodes() == 4)
-        project<3, 12>(hessian_at(place));
+      if (elements().dim == 2)
+        nodes() == 3 ? project<2, 6>(hessian_at(place)) : project<2, 12>(hessian_at(place));
       else
-        project<3, Eigen::Dynamic>(hessian_at(place));
+        nodes() == 4 ? project<3, 12>(hessian_at(place)) : project<3, 30>(hessian_at(place));
     }
   }
 
-  template <int Dim, int Size>
+  // Of at most Capacity rows.
+  template <int Dim, int Capacity>
   void project(double* hessian) const {
-    Eigen::Matrix<double, Size, Size> K(Dim * nodes(), Dim * nodes());
+    const int size = Dim * nodes();
+    std::array<double, Capacity * Capacity> K;
+    const auto entry = [&](int a, int b, int c, int d) -> double& {
+      return K[static_cast<std::size_t>((Dim * a + c) * size + Dim * b + d)];
+    };
     for_each_block<Dim>(hessian, [&](int a, int b, const auto& block) {
-      K.template block<Dim, Dim>(Dim * a, Dim * b) = block;
-      K.template block<Dim, Dim>(Dim * b, Dim * a) = block.transpose();
+      for (int c = 0; c < Dim; ++c)
+        for (int d = 0; d < Dim; ++d) entry(a, b, c, d) = entry(b, a, d, c) = block(c, d);
     });
-    K = nearest_semidefinite<Size>(K);
-    for_each_block<Dim>(
-        hessian, [&](int a, int b, auto block) { block = K.template block<Dim, Dim>(Dim * a, Dim * b); });
+    clamp_to_semidefinite<Capacity>(K.data(), size);
+    for_each_block<Dim>(hessian, [&](int a, int b, auto block) {
+      for (int c = 0; c < Dim; ++c)
+        for (int d = 0; d < Dim; ++d) block(c, d) = entry(a, b, c, d);
+    });
   }
 };
 

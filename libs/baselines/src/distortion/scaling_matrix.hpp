@@ -1,9 +1,14 @@
 #pragma once
 
+#include "symmetric_eigen.hpp"
+
 #include <isostretch/invariants/stretch.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <limits>
 
 namespace isostretch::baselines {
 
@@ -35,10 +40,25 @@ auto clamped(const Solver& eigen) {
   return (Q * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * Q.transpose()).eval();
 }
 
-// The same by the iterative decomposition of Eigen.
+// The same of n x n numbers in place, by the iterative decomposition; not numbers if that fails.
+template <int Capacity>
+void clamp_to_semidefinite(double* A, int n) {
+  const SymmetricEigen<Capacity> eigen(A, n);
+  std::fill(A, A + n * n, eigen.converged() ? 0.0 : std::numeric_limits<double>::quiet_NaN());
+  for (int k = 0; k < n; ++k) {
+    if (!(eigen.value(k) > 0)) continue;
+    const double* v = eigen.vector(k);
+    for (int i = 0; i < n; ++i) {
+      const double factor = eigen.value(k) * v[i];
+      for (int j = 0; j < n; ++j) A[i * n + j] += factor * v[j];
+    }
+  }
+}
+
 template <int Size>
-Eigen::Matrix<double, Size, Size> nearest_semidefinite(const Eigen::Matrix<double, Size, Size>& A) {
-  return clamped(Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>>(A));
+Eigen::Matrix<double, Size, Size> nearest_semidefinite(Eigen::Matrix<double, Size, Size> A) {
+  clamp_to_semidefinite<Size>(A.data(), Size);
+  return A;
 }
 
 }  // namespace isostretch::baselines

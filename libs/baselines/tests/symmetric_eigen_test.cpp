@@ -1,0 +1,123 @@
+#include "../src/distortion/symmetric_eigen.hpp"
+
+#include "../src/distortion/scaling_matrix.hpp"
+
+#include <doctest/doctest.h>
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <type_traits>
+
+using namespace isostretch;
+
+namespace {
+
+constexpr int capacity = 30;
+using Matrix = Eigen::MatrixXd;
+using Decomposition = baselines::SymmetricEigen<capacity>;
+
+struct Errors {
+  double pairs = 0, orthogonality = 0;
+};
+
+// |A Q - Q D| over |A|, and |Q^T Q - I|.
+Errors errors_of(const Matrix& A) {
+  const int n = static_cast<int>(A.rows());
+  const Decomposition eigen(A.data(), n);
+  REQUIRE(eigen.converged());
+  Matrix Q(n, n), D = Matrix::Zero(n, n);
+  for (int k = 0; k < n; ++k) {
+    D(k, k) = eigen.value(k);
+    for (int i = 0; i < n; ++i) Q(i, k) = eigen.vector(k)[i];
+  }
+  const double size = A.cwiseAbs().maxCoeff();
+  if (size == 0) return {D.norm(), (Q.transpose() * Q - Matrix::Identity(n, n)).norm()};
+  const Matrix unit = A / size;
+  return {(unit * Q - Q * (D / size)).norm(), (Q.transpose() * Q - Matrix::Identity(n, n)).norm()};
+}
+
+void check(const Matrix& A) {
+  const Errors errors = errors_of(A);
+  const double bound = 1e-15 * static_cast<double>(A.rows() * A.rows()) + 1e-14;
+  CHECK(errors.pairs < bound);
+  CHECK(errors.orthogonality < bound);
+}
+
+Matrix random_symmetric(std::mt19937& generator, int n) {
+  std::normal_distribution<double> normal;
+  const Matrix M = Matrix::NullaryExpr(n, n, [&] { return normal(generator); });
+  return M + M.transpose();
+}
+
+}  // namespace
+
+TEST_SUITE("symmetric eigen-decomposition") {
+  TEST_CASE("pairs and orthogonality, 1 to 30 rows, full and of low rank, and of any size") {
+    std::mt19937 generator(5);
+    for (int n = 1; n <= capacity; ++n)
+      for (int sample = 0; sample < 40; ++sample) {
+        CAPTURE(n);
+        const Matrix A = random_symmetric(generator, n);
+        check(A);
+        check(std::ldexp(1.0, 900) * A);
+        check(std::ldexp(1.0, -900) * A);
+        const Matrix thin = A.leftCols(std::max(1, n / 3));
+        check(thin * thin.transpose());
+      }
+  }
+
+  TEST_CASE("matrices that are special") {
+    check(Matrix::Zero(5, 5));
+    check(Matrix::Identity(12, 12));
+    check(Matrix::Ones(9, 9));
+    check(Matrix(Eigen::VectorXd::LinSpaced(6, -3, 4).asDiagonal()));
+    Matrix graded(4, 4);  // from 1 to 1e-12 along the diagonal, either way
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) graded(i, j) = std::pow(10.0, -2.0 * (i + j)) * (i == j ? 2 : 1);
+    check(graded);
+    check(graded.reverse().eval());
+    Matrix swap = Matrix::Zero(2, 2);
+    swap(0, 1) = swap(1, 0) = 1;
+    check(swap);
+    check(1e-170 * swap);
+    Matrix wilkinson = Matrix::Zero(21, 21);  // pairs of eigenvalues that agree to many digits
+    for (int i = 0; i < 21; ++i) {
+      wilkinson(i, i) = std::abs(i - 10);
+      if (i > 0) wilkinson(i, i - 1) = wilkinson(i - 1, i) = 1;
+    }
+    check(wilkinson);
+  }
+
+  TEST_CASE("what is not finite does not converge, and is clamped to no numbers") {
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+      for (int at = 0; at < 9; ++at) {
+        Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
+        A.data()[at] = bad;
+        CHECK(!Decomposition(A.data(), 3).converged());
+        CHECK(baselines::nearest_semidefinite<3>(A).array().isNaN().all());
+      }
+  }
+
+  TEST_CASE("the nearest semi-definite matrix is that of another decomposition") {
+    std::mt19937 generator(6);
+    const auto check_size = [&](auto n) {
+      constexpr int size = decltype(n)::value;
+      using Square = Eigen::Matrix<double, size, size>;
+      for (int sample = 0; sample < 100; ++sample) {
+        const Square A = random_symmetric(generator, size);
+        const Square best = baselines::clamped(Eigen::SelfAdjointEigenSolver<Square>(A));
+        CHECK((baselines::nearest_semidefinite<size>(A) - best).norm() < 1e-13 * A.norm());
+      }
+    };
+    check_size(std::integral_constant<int, 2>{});
+    check_size(std::integral_constant<int, 3>{});
+    check_size(std::integral_constant<int, 4>{});
+    check_size(std::integral_constant<int, 6>{});
+    check_size(std::integral_constant<int, 9>{});
+    check_size(std::integral_constant<int, 12>{});
+  }
+}
