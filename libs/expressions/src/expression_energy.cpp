@@ -5,6 +5,7 @@
 #include "kernel_table.hpp"
 #include "parser.hpp"
 
+#include <isostretch/core/arena.hpp>
 #include <isostretch/core/dispatch.hpp>
 #include <isostretch/expressions/expression.hpp>
 #include <isostretch/invariants/stretch.hpp>
@@ -48,11 +49,12 @@ bool couples(const Graph& graph, const std::vector<Node>& outputs, int dim) {
   return std::any_of(first, first + pairs, [&](Node n) { return !graph.is_constant(n, 0); });
 }
 
-// Registers of the calling thread.
+// Registers of the calling thread, each on cache lines of its own.
 double* registers(std::size_t doubles) {
-  thread_local std::vector<double> memory;
-  if (memory.size() < doubles) memory.resize(doubles);
-  return memory.data();
+  thread_local Arena memory;
+  if (memory.capacity() < doubles * sizeof(double)) memory = Arena(doubles * sizeof(double));
+  memory.reset();
+  return memory.doubles(doubles);
 }
 
 using Kernel = void (*const (&)[2])(const Task&, const energies::StretchChunk&);

@@ -1,5 +1,6 @@
 #include "kernel_table.hpp"
 
+#include <isostretch/core/arena.hpp>
 #include <isostretch/core/dispatch.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/projection/point_chunk.hpp>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <vector>
 
 namespace isostretch::projection {
 
@@ -32,16 +32,12 @@ struct Output {
 class Workspace {
  public:
   explicit Workspace(int dim)
-      : memory_(point_chunk_doubles(dim) + static_cast<std::size_t>(chunk_size(dim)) * tail_entries(dim)),
-        chunk(bind_point_chunk(dim, memory_.data())),
-        tail_(memory_.data() + point_chunk_doubles(dim)) {}
+      : memory_((point_chunk_doubles(dim) + static_cast<std::size_t>(chunk_size(dim)) * tail_entries(dim)) *
+                sizeof(double)),
+        chunk(bind_point_chunk(dim, memory_.doubles(point_chunk_doubles(dim)))) {}
 
   // `entries` arrays of the tail.
-  double* take(int entries) {
-    double* block = tail_;
-    tail_ += static_cast<std::size_t>(entries) * chunk.stride;
-    return block;
-  }
+  double* take(int entries) { return memory_.doubles(static_cast<std::size_t>(entries) * chunk.stride); }
 
  private:
   static std::size_t tail_entries(int dim) {
@@ -49,14 +45,11 @@ class Workspace {
     return static_cast<std::size_t>(n + n + packed_entries(n) + n + 1 + m + packed_entries(m));
   }
 
-  std::vector<double> memory_;
+  Arena memory_;
 
  public:
   PointChunk chunk;
   std::array<unsigned char, chunk_size_2d> changed{};
-
- private:
-  double* tail_;
 };
 
 // Where the entries of point `begin` start in an array of the batch; they are batch_stride() apart.
