@@ -11,15 +11,15 @@ Node derivative_of_function(Graph& g, const Operation& o, Node node) {
     case Op::power:
       return g.scale(o.value, g.power(a, o.value - 1));
     case Op::sqrt:
-      return g.divide(g.constant(0.5), node);
+      return g.scale(0.5, g.reciprocal(node));
     case Op::cbrt:
-      return g.divide(g.constant(1.0 / 3), g.multiply(node, node));
+      return g.scale(1.0 / 3, g.reciprocal(g.multiply(node, node)));
     case Op::exp:
       return node;
     case Op::expm1:
       return g.unary(Op::exp, a);
     case Op::log:
-      return g.divide(one, a);
+      return g.reciprocal(a);
     case Op::log1p:
       return g.divide(one, g.add(one, a));
     case Op::sin:
@@ -80,9 +80,13 @@ Node Derivatives::derive(Node expression, Variable by) {
       return g.add(D(o.a, by), D(o.b, by));
     case Op::subtract:
       return g.subtract(D(o.a, by), D(o.b, by));
-    case Op::multiply:
+    case Op::multiply: {
+      const auto [base, exponent] = g.as_power(expression);
+      if (exponent > 1) return g.multiply(g.scale(exponent, g.power(base, static_cast<double>(exponent - 1))), D(base, by));
       return g.add(g.multiply(D(o.a, by), o.b), g.multiply(o.a, D(o.b, by)));
+    }
     case Op::divide:
+      if (g.is_constant(o.a, 1)) return g.negate(g.multiply(g.multiply(expression, expression), D(o.b, by)));
       return g.divide(g.subtract(D(o.a, by), g.multiply(expression, D(o.b, by))), o.b);
     case Op::min:
       return g.select(g.binary(Op::less, o.a, o.b), D(o.a, by), D(o.b, by));
@@ -125,6 +129,12 @@ Node ExchangeDifferences::exchanged(Node expression) {
     case Op::power:
       result = graph_.power(exchanged(o.a), o.value);
       break;
+    case Op::multiply:
+      if (const auto [base, exponent] = graph_.as_power(expression); exponent > 1) {
+        result = graph_.power(exchanged(base), static_cast<double>(exponent));
+        break;
+      }
+      [[fallthrough]];
     default:
       result = operand_count(o.op) == 2 ? graph_.binary(o.op, exchanged(o.a), exchanged(o.b))
                                         : graph_.unary(o.op, exchanged(o.a));
@@ -158,6 +168,8 @@ Node ExchangeDifferences::difference(Node expression) {
     case Op::multiply:
       return g.add(g.multiply(D(o.a), o.b), g.multiply(exchanged(o.a), D(o.b)));
     case Op::divide:
+      if (g.is_constant(o.a, 1))
+        return g.negate(g.multiply(g.multiply(expression, exchanged(expression)), D(o.b)));
       return g.divide(g.subtract(D(o.a), g.multiply(exchanged(expression), D(o.b))), o.b);
     case Op::negate:
       return g.negate(D(o.a));

@@ -108,7 +108,7 @@ std::optional<ExpressionEnergy::Programs> ExpressionEnergy::programs_for(
   programs.ends_at_zero = ends_at_zero_determinant(graph, psi, dim);
   programs.psi = compile(graph, {psi});
   programs.by_partials = mentions.only_invariants();
-  graph.assume_finite();
+  graph.save_operations();
   const std::vector<Node> outputs = programs.by_partials ? partials(graph, psi, dim)
                                     : dim == 2           ? by_stretches<2>(graph, psi)
                                                          : by_stretches<3>(graph, psi);

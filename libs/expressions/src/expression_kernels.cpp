@@ -44,6 +44,22 @@ class Machine {
     else
       for (int i = 0; i < chunk_.count; i += lanes) store(to + i, f(load<Pack>(a + i), load<Pack>(b + i)));
   }
+  // Of a product and a third operand.
+  template <class Function>
+  ISOSTRETCH_INLINE void fused(const Instruction& in, const Function& f) const {
+    const double *a = at(in.a), *b = at(in.b), *c = at(in.c);
+    double* to = at(in.to);
+    const Pack value(in.value);
+    if (in.immediate == Instruction::Immediate::second)
+      for (int i = 0; i < chunk_.count; i += lanes)
+        store(to + i, f(load<Pack>(a + i), value, load<Pack>(c + i)));
+    else if (in.immediate == Instruction::Immediate::third)
+      for (int i = 0; i < chunk_.count; i += lanes)
+        store(to + i, f(load<Pack>(a + i), load<Pack>(b + i), value));
+    else
+      for (int i = 0; i < chunk_.count; i += lanes)
+        store(to + i, f(load<Pack>(a + i), load<Pack>(b + i), load<Pack>(c + i)));
+  }
   // Functions that no pack has.
   template <class Function>
   ISOSTRETCH_INLINE void one_by_one(const Instruction& in, const Function& f) const {
@@ -83,6 +99,12 @@ class Machine {
         return binary(in, [](Pack a, Pack b) { return a * b; });
       case Op::divide:
         return binary(in, [](Pack a, Pack b) { return a / b; });
+      case Op::multiply_add:
+        return fused(in, [](Pack a, Pack b, Pack c) { return fma(a, b, c); });
+      case Op::multiply_subtract:
+        return fused(in, [](Pack a, Pack b, Pack c) { return fma(a, b, -c); });
+      case Op::subtract_product:
+        return fused(in, [](Pack a, Pack b, Pack c) { return fma(-a, b, c); });
       case Op::negate:
         return unary(in, [](Pack a) { return -a; });
       case Op::power:

@@ -2,6 +2,7 @@
 
 #include <isostretch/expressions/expression.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <string>
@@ -34,6 +35,9 @@ int operand_count(Op op) {
     case Op::logical_or:
       return 2;
     case Op::select:
+    case Op::multiply_add:
+    case Op::multiply_subtract:
+    case Op::subtract_product:
       return 3;
     default:
       return 1;
@@ -65,6 +69,27 @@ Node Graph::intern(const Operation& operation) {
   return found->second;
 }
 
+Node Graph::intern_sum(Node a, Node b) {
+  return intern({Op::add, std::min(a, b), std::max(a, b), 0, 0});
+}
+
+Node Graph::intern_product(Node a, Node b) {
+  const Node product = intern({Op::multiply, std::min(a, b), std::max(a, b), 0, 0});
+  if (a == b) whole_powers_.try_emplace(product, WholePower{a, 2});
+  return product;
+}
+
+Graph::WholePower Graph::as_power(Node a) const {
+  const auto found = whole_powers_.find(a);
+  return found == whole_powers_.end() ? WholePower{a, 1} : found->second;
+}
+
+Node Graph::reciprocal(Node a) {
+  const WholePower power = as_power(a);
+  if (power.exponent == 1) return divide(constant(1), a);
+  return whole_power_of(divide(constant(1), power.base), power.exponent);
+}
+
 Node Graph::constant(double value) {
   return intern({Op::constant, 0, 0, 0, value});
 }
@@ -77,6 +102,10 @@ Node Graph::unary(Op op, Node a) {
   const Operation operation{op, a, 0, 0, 0};
   if (is_constant(a)) return constant(apply(operation, nodes_[a].value, 0, 0));
   if (op == Op::negate && nodes_[a].op == Op::negate) return nodes_[a].a;
+  if (op == Op::negate && saves_operations_) {
+    const Scaled split_up = split(a);
+    return scaled({-split_up.factor, split_up.node});
+  }
   return intern(operation);
 }
 
@@ -91,12 +120,14 @@ Node Graph::binary(Op op, Node a, Node b) {
       if (is_constant(b, 0)) return a;
       if (nodes_[b].op == Op::negate) return subtract(a, nodes_[b].a);
       if (nodes_[a].op == Op::negate) return subtract(b, nodes_[a].a);
+      if (saves_operations_) return rearranged_sum(a, 1, b);
       break;
     case Op::subtract:
       if (assumes_finite_ && a == b) return constant(0);
       if (is_constant(b, 0)) return a;
       if (is_constant(a, 0)) return negate(b);
       if (nodes_[b].op == Op::negate) return add(a, nodes_[b].a);
+      if (saves_operations_) return rearranged_sum(a, -1, b);
       break;
     case Op::multiply:
       if (assumes_finite_ && (is_constant(a, 0) || is_constant(b, 0))) return constant(0);
@@ -104,12 +135,14 @@ Node Graph::binary(Op op, Node a, Node b) {
       if (is_constant(b, 1)) return a;
       if (is_constant(a, -1)) return negate(b);
       if (is_constant(b, -1)) return negate(a);
-      break;
+      return saves_operations_ ? rearranged_product(a, b) : intern_product(a, b);
     case Op::divide:
       if (assumes_finite_ && is_constant(a, 0)) return a;
       if (is_constant(b, 1)) return a;
       if (is_constant(b) && std::isnormal(1 / nodes_[b].value))
         return multiply(constant(1 / nodes_[b].value), a);
+      if (as_power(b).exponent > 1 || (saves_operations_ && !is_constant(a, 1)))
+        return multiply(a, reciprocal(b));
       break;
     case Op::min:
     case Op::max:
@@ -129,19 +162,27 @@ Node Graph::select(Node condition, Node a, Node b) {
 
 // Small whole powers by multiplication: exact where pow() is not, and many times faster.
 Node Graph::power(Node a, double exponent) {
-  constexpr double most = 16;
   if (exponent == 0) return constant(1);
   if (exponent == 1) return a;
   if (is_constant(a)) return constant(std::pow(nodes_[a].value, exponent));
   if (exponent == 0.5) return unary(Op::sqrt, a);
-  if (exponent < 0 && (exponent == -0.5 || (exponent == std::floor(exponent) && -exponent <= most)))
-    return divide(constant(1), power(a, -exponent));
-  if (exponent == std::floor(exponent) && exponent <= most) {
-    const Node half = power(a, std::floor(exponent / 2));
-    const Node square = multiply(half, half);
-    return std::fmod(exponent, 2) == 0 ? square : multiply(square, a);
+  if (exponent == -0.5) return divide(constant(1), unary(Op::sqrt, a));
+  if (exponent == std::floor(exponent) && std::abs(exponent) <= largest_whole_power) {
+    const int whole = static_cast<int>(exponent);
+    return whole > 0 ? whole_power_of(a, whole) : whole_power_of(reciprocal(a), -whole);
   }
   return intern({Op::power, a, 0, 0, exponent});
+}
+
+Node Graph::whole_power_of(Node a, int exponent) {
+  if (exponent == 1) return a;
+  const WholePower known = as_power(a);
+  if (known.exponent > 1 && known.exponent * exponent <= largest_whole_power)
+    return whole_power_of(known.base, known.exponent * exponent);
+  const Node half = whole_power_of(a, exponent / 2), even = intern_product(half, half);
+  const Node result = exponent % 2 == 0 ? even : intern_product(even, a);
+  whole_powers_.insert_or_assign(result, WholePower{a, exponent});
+  return result;
 }
 
 Node Graph::power(Node a, Node exponent) {
@@ -216,6 +257,12 @@ double apply(const Operation& operation, double a, double b, double c) {
       return a == 0;
     case Op::select:
       return a != 0 ? b : c;
+    case Op::multiply_add:
+      return a * b + c;
+    case Op::multiply_subtract:
+      return a * b - c;
+    case Op::subtract_product:
+      return c - a * b;
   }
   return 0;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -40,7 +41,11 @@ enum class Op : std::uint8_t {
   logical_and,
   logical_or,
   logical_not,
-  select  // a != 0 ? b : c
+  select,  // a != 0 ? b : c
+  // Of programs only, where a product is needed for nothing but a sum: a b + c, a b - c, c - a b.
+  multiply_add,
+  multiply_subtract,
+  subtract_product
 };
 
 // 0 to 3.
@@ -73,6 +78,9 @@ class Graph {
   // From here on what is multiplied by zero, or subtracted from itself, counts as finite: right for
   // derivatives, of which nothing is asked elsewhere, and not for what a user wrote.
   void assume_finite() { assumes_finite_ = true; }
+  // That, and from here on sums and products are rearranged to save operations: numbers are gathered, common
+  // factors taken out of sums. Right up to rounding, which is why what a user wrote is left alone.
+  void save_operations() { assumes_finite_ = saves_operations_ = true; }
 
   const Operation& operator[](Node node) const { return nodes_[node]; }
   std::size_t size() const { return nodes_.size(); }
@@ -91,6 +99,15 @@ class Graph {
   Node divide(Node a, Node b) { return binary(Op::divide, a, b); }
   Node negate(Node a) { return unary(Op::negate, a); }
   Node scale(double factor, Node a) { return multiply(constant(factor), a); }
+  // 1 / a, and (1 / u)^n for what is known as u^n.
+  Node reciprocal(Node a);
+
+  // base^exponent with an exponent of 2 to 16, where a node is known to be that; itself^1 else.
+  struct WholePower {
+    Node base;
+    int exponent;
+  };
+  WholePower as_power(Node a) const;
 
   bool is_constant(Node a) const { return nodes_[a].op == Op::constant; }
   bool is_constant(Node a, double value) const { return is_constant(a) && nodes_[a].value == value; }
@@ -100,10 +117,29 @@ class Graph {
     std::size_t operator()(const Operation& operation) const noexcept;
   };
   Node intern(const Operation& operation);
+  Node intern_sum(Node a, Node b);
+  Node intern_product(Node a, Node b);
+  Node whole_power_of(Node a, int exponent);
 
-  bool assumes_finite_ = false;
+  // rearrangement.cpp
+  struct Scaled {
+    double factor;
+    Node node;
+  };
+  Scaled split(Node a);
+  Node scaled(const Scaled& a);
+  Node rearranged_product(Node a, Node b);
+  Node rearranged_sum(Node a, double sign, Node b);
+  bool collect_factors(Node product, std::vector<Node>& found) const;
+  std::optional<Node> common_factor(Node a, Node b) const;
+  std::optional<Node> without(Node product, Node factor);
+
+  static constexpr int largest_whole_power = 16;
+
+  bool assumes_finite_ = false, saves_operations_ = false;
   std::vector<Operation> nodes_;
   std::unordered_map<Operation, Node, Hash> index_;
+  std::unordered_map<Node, WholePower> whole_powers_;
 };
 
 // What one operation makes of numbers: the meaning of Op, for constants and for evaluation one by one.

@@ -11,54 +11,101 @@ namespace {
 
 class Compiler {
  public:
-  explicit Compiler(const Graph& graph) : graph_(graph) {}
+  explicit Compiler(const Graph& graph) {
+    for (Node node = 0; node < graph.size(); ++node) operations_.push_back(graph[node]);
+  }
 
   Program run(const std::vector<Node>& outputs) {
+    fuse(outputs);
     find_last_uses(outputs);
     // Nodes are in an order in which operands come first.
-    for (Node node = 0; node < graph_.size(); ++node)
+    for (Node node = 0; node < operations_.size(); ++node)
       if (last_use_[node] >= 0) emit(node);
     for (const Node output : outputs) program_.results.push_back(register_of_[output]);
     return std::move(program_);
   }
 
  private:
+  bool is_constant(Node node) const { return operations_[node].op == Op::constant; }
+
+  void fuse(const std::vector<Node>& outputs) {
+    const std::vector<int> uses = count_uses(outputs);
+    for (Node node = outputs.front() + 1; node < operations_.size(); ++node) {
+      Operation& o = operations_[node];
+      if (uses[node] == 0 || (o.op != Op::add && o.op != Op::subtract)) continue;
+      const auto may_vanish = [&](Node product, Node other) {
+        const Operation& m = operations_[product];
+        const bool two_numbers = is_constant(other) && (is_constant(m.a) || is_constant(m.b));
+        return m.op == Op::multiply && uses[product] == 1 && !two_numbers;
+      };
+      if (may_vanish(o.a, o.b))
+        o = fused(o.op == Op::add ? Op::multiply_add : Op::multiply_subtract, o.a, o.b);
+      else if (may_vanish(o.b, o.a))
+        o = fused(o.op == Op::add ? Op::multiply_add : Op::subtract_product, o.b, o.a);
+    }
+  }
+
+  // A number among the factors comes second.
+  Operation fused(Op op, Node product, Node other) const {
+    const Operation& m = operations_[product];
+    return is_constant(m.a) ? Operation{op, m.b, m.a, other, 0} : Operation{op, m.a, m.b, other, 0};
+  }
+
+  std::vector<int> count_uses(const std::vector<Node>& outputs) const {
+    std::vector<int> uses(operations_.size(), 0);
+    for (const Node output : outputs) ++uses[output];
+    for (Node node = static_cast<Node>(operations_.size()); node-- > 0;) {
+      if (uses[node] == 0) continue;
+      const Operation& o = operations_[node];
+      const Node all[] = {o.a, o.b, o.c};
+      for (int i = 0; i < operand_count(o.op); ++i) ++uses[all[i]];
+    }
+    return uses;
+  }
+
   void find_last_uses(const std::vector<Node>& outputs) {
-    last_use_.assign(graph_.size(), -1);
-    register_of_.assign(graph_.size(), 0);
+    last_use_.assign(operations_.size(), -1);
+    register_of_.assign(operations_.size(), 0);
     for (const Node output : outputs) last_use_[output] = std::numeric_limits<int>::max();
-    for (Node node = static_cast<Node>(graph_.size()); node-- > 0;) {
+    for (Node node = static_cast<Node>(operations_.size()); node-- > 0;) {
       if (last_use_[node] < 0) continue;
       for (const Node operand : operands(node))
         last_use_[operand] = std::max(last_use_[operand], static_cast<int>(node));
     }
   }
 
-  // Of two operands one may be a number: it needs no register then.
+  // One operand may be a number: it needs no register then.
   Instruction::Immediate immediate(const Operation& o) const {
-    if (operand_count(o.op) != 2) return Instruction::Immediate::none;
-    if (graph_.is_constant(o.b)) return Instruction::Immediate::second;
-    return graph_.is_constant(o.a) ? Instruction::Immediate::first : Instruction::Immediate::none;
+    const int count = operand_count(o.op);
+    if (count < 2 || o.op == Op::select) return Instruction::Immediate::none;
+    if (is_constant(o.b)) return Instruction::Immediate::second;
+    if (count == 3) return is_constant(o.c) ? Instruction::Immediate::third : Instruction::Immediate::none;
+    return is_constant(o.a) ? Instruction::Immediate::first : Instruction::Immediate::none;
   }
 
   // Those that are in registers.
   std::vector<Node> operands(Node node) const {
-    const Operation& o = graph_[node];
-    const Instruction::Immediate number = immediate(o);
-    if (number == Instruction::Immediate::first) return {o.b};
-    if (number == Instruction::Immediate::second) return {o.a};
+    const Operation& o = operations_[node];
+    const int number = static_cast<int>(immediate(o)) - static_cast<int>(Instruction::Immediate::first);
     const Node all[] = {o.a, o.b, o.c};
-    return {all, all + operand_count(o.op)};
+    std::vector<Node> read;
+    for (int i = 0; i < operand_count(o.op); ++i)
+      if (i != number) read.push_back(all[i]);
+    return read;
   }
 
   void emit(Node node) {
-    const Operation& o = graph_[node];
-    const auto read = [&](int i, Node operand) {
-      return i < operand_count(o.op) ? register_of_[operand] : std::uint16_t{0};
+    const Operation& o = operations_[node];
+    const Node all[] = {o.a, o.b, o.c};
+    const auto read = [&](int i) {
+      return i < operand_count(o.op) ? register_of_[all[i]] : std::uint16_t{0};
     };
-    Instruction instruction{o.op, immediate(o), 0, read(0, o.a), read(1, o.b), read(2, o.c), o.value};
-    if (instruction.immediate == Instruction::Immediate::first) instruction.value = graph_[o.a].value;
-    if (instruction.immediate == Instruction::Immediate::second) instruction.value = graph_[o.b].value;
+    Instruction instruction{o.op, immediate(o), 0, read(0), read(1), read(2), o.value};
+    if (instruction.immediate != Instruction::Immediate::none) {
+      const int number =
+          static_cast<int>(instruction.immediate) - static_cast<int>(Instruction::Immediate::first);
+      instruction.value = operations_[all[number]].value;
+    }
     // Every operation reads an entry before it writes it: the result may take an operand's place.
     for (const Node operand : operands(node))
       if (last_use_[operand] == static_cast<int>(node)) release(register_of_[operand]);
@@ -81,7 +128,7 @@ class Compiler {
     return static_cast<std::uint16_t>(program_.registers++);
   }
 
-  const Graph& graph_;
+  std::vector<Operation> operations_;  // of the graph, then with fused ones
   Program program_;
   std::vector<int> last_use_;  // the last node that reads a node; -1: nobody
   std::vector<std::uint16_t> register_of_;

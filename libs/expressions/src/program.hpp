@@ -9,7 +9,7 @@ namespace isostretch::expressions {
 
 // Operations in an order in which they can be carried out, on numbered registers, each one array of a chunk.
 struct Instruction {
-  enum class Immediate : std::uint8_t { none, first, second };
+  enum class Immediate : std::uint8_t { none, first, second, third };
 
   Op op;
   Immediate immediate = Immediate::none;  // the operand that is `value`, in the place of a register
@@ -23,7 +23,9 @@ struct Program {
   int registers = 0;
 };
 
-// What the outputs need and nothing else. A register is used again when nobody reads it any more.
+// What the outputs need and nothing else. A register is used again when nobody reads it any more. Products
+// that only a sum reads become one operation with it, but not within the first output: psi comes out the same
+// to the last bit by itself and beside its derivatives.
 Program compile(const Graph& graph, const std::vector<Node>& outputs);
 
 }  // namespace isostretch::expressions

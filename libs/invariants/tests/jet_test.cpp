@@ -68,7 +68,11 @@ TEST_CASE("functions of jets") {
   check([](Jet x, Jet y, Jet z) { return cbrt(x * y * z); });
   check([](Jet x, Jet y, Jet z) { return log(x * y + z) + log1p(x * z); });
   check([](Jet x, Jet y, Jet z) { return exp(x - y * z) + expm1(y - z); });
+  check([](Jet x, Jet y, Jet z) { return expm1(y - 9.0 * z) * x; });
   check([](Jet x, Jet y, Jet z) { return pow(x * z + y, -2.0 / 3.0); });
+  check([](Jet x, Jet y, Jet z) { return pow(x * z + y, -1.0); });
+  check([](Jet x, Jet y, Jet z) { return pow(x * z + y, -0.7); });
+  CHECK(std::isnan(pow(Jet(-1.0, 1), -2.0 / 3.0).v));
   check([](Jet x, Jet y, Jet z) { return abs(y * y - x * z) * abs(x + y); });
 }
 

@@ -191,13 +191,22 @@ ISOSTRETCH_INLINE Jet2<T> exp(const Jet2<T>& x) {
 
 template <class T>
 ISOSTRETCH_INLINE Jet2<T> expm1(const Jet2<T>& x) {
-  const T e = exp(x.v);
-  return chain(x, expm1(x.v), e, e);
+  // 1 + expm1 has all digits where it is not small; the other function is only called where it is.
+  const T h = expm1(x.v);
+  const auto small = h < T(-0.5);
+  const T e = any(small) ? select(small, exp(x.v), T(1.0) + h) : T(1.0) + h;
+  return chain(x, h, e, e);
 }
 
-// x^p with a constant real exponent, x > 0.
+// x^p with a constant real exponent, x > 0. Exponents that energies have need no logarithm.
 template <class T>
 ISOSTRETCH_INLINE Jet2<T> pow(const Jet2<T>& x, double p) {
+  if (p == -1) return reciprocal(x);
+  if (p == -2.0 / 3) {
+    const T i = T(1.0) / x.v, c = cbrt(i), h = select(x.v < T(0.0), T(__builtin_nan("")), c * c);
+    const T dh = T(p) * h * i;
+    return chain(x, h, dh, T(p - 1.0) * dh * i);
+  }
   const T h = pow(x.v, T(p));
   const T dh = T(p) * h / x.v;
   return chain(x, h, dh, T(p - 1.0) * dh / x.v);
