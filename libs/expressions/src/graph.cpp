@@ -75,8 +75,22 @@ Node Graph::intern_sum(Node a, Node b) {
 
 Node Graph::intern_product(Node a, Node b) {
   const Node product = intern({Op::multiply, std::min(a, b), std::max(a, b), 0, 0});
-  if (a == b) whole_powers_.try_emplace(product, WholePower{a, 2});
+  if (a == b) {
+    whole_powers_.try_emplace(product, WholePower{a, 2});
+    bases_.insert(a);
+  }
   return product;
+}
+
+// Of two numbers in a row one is made.
+Node Graph::product(Node a, Node b) {
+  for (const auto& [number, other] : {std::pair{a, b}, std::pair{b, a}}) {
+    const Operation& o = nodes_[other];
+    if (!is_constant(number) || o.op != Op::multiply || is_constant(o.a) == is_constant(o.b)) continue;
+    const double factor = nodes_[number].value * nodes_[is_constant(o.a) ? o.a : o.b].value;
+    if (std::isnormal(factor)) return intern_product(constant(factor), is_constant(o.a) ? o.b : o.a);
+  }
+  return intern_product(a, b);
 }
 
 Graph::WholePower Graph::as_power(Node a) const {
@@ -135,7 +149,7 @@ Node Graph::binary(Op op, Node a, Node b) {
       if (is_constant(b, 1)) return a;
       if (is_constant(a, -1)) return negate(b);
       if (is_constant(b, -1)) return negate(a);
-      return saves_operations_ ? rearranged_product(a, b) : intern_product(a, b);
+      return saves_operations_ ? rearranged_product(a, b) : product(a, b);
     case Op::divide:
       if (assumes_finite_ && is_constant(a, 0)) return a;
       if (is_constant(b, 1)) return a;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace isostretch::expressions {
@@ -119,6 +120,7 @@ class Graph {
   Node intern(const Operation& operation);
   Node intern_sum(Node a, Node b);
   Node intern_product(Node a, Node b);
+  Node product(Node a, Node b);
   Node whole_power_of(Node a, int exponent);
 
   // rearrangement.cpp
@@ -140,6 +142,7 @@ class Graph {
   std::vector<Operation> nodes_;
   std::unordered_map<Operation, Node, Hash> index_;
   std::unordered_map<Node, WholePower> whole_powers_;
+  std::unordered_set<Node> bases_;  // of those
 };
 
 // What one operation makes of numbers: the meaning of Op, for constants and for evaluation one by one.

@@ -28,15 +28,18 @@ class Compiler {
  private:
   bool is_constant(Node node) const { return operations_[node].op == Op::constant; }
 
+  // psi comes out the same to the last bit by itself and beside its derivatives, and what cancels in it goes on
+  // to cancel: there only multiples are fused, and only by what psi itself needs.
   void fuse(const std::vector<Node>& outputs) {
-    const std::vector<int> uses = count_uses(outputs);
-    for (Node node = outputs.front() + 1; node < operations_.size(); ++node) {
+    const std::vector<int> uses = count_uses(outputs), uses_in_psi = count_uses({outputs.front()});
+    for (Node node = 0; node < operations_.size(); ++node) {
       Operation& o = operations_[node];
       if (uses[node] == 0 || (o.op != Op::add && o.op != Op::subtract)) continue;
+      const bool in_psi = uses_in_psi[node] > 0;
       const auto may_vanish = [&](Node product, Node other) {
         const Operation& m = operations_[product];
-        const bool two_numbers = is_constant(other) && (is_constant(m.a) || is_constant(m.b));
-        return m.op == Op::multiply && uses[product] == 1 && !two_numbers;
+        if (m.op != Op::multiply || (in_psi ? uses_in_psi : uses)[product] != 1) return false;
+        return (is_constant(m.a) || is_constant(m.b)) ? !is_constant(other) : !in_psi;
       };
       if (may_vanish(o.a, o.b))
         o = fused(o.op == Op::add ? Op::multiply_add : Op::multiply_subtract, o.a, o.b);

@@ -23,9 +23,8 @@ struct Program {
   int registers = 0;
 };
 
-// What the outputs need and nothing else. A register is used again when nobody reads it any more. Products
-// that only a sum reads become one operation with it, but not within the first output: psi comes out the same
-// to the last bit by itself and beside its derivatives.
+// What the outputs need and nothing else; the first is psi. A register is used again when nobody reads it any
+// more, and a product that only a sum reads becomes one operation with it.
 Program compile(const Graph& graph, const std::vector<Node>& outputs);
 
 }  // namespace isostretch::expressions

@@ -60,20 +60,24 @@ Node Graph::rearranged_sum(Node a, double sign, Node b) {
   if (!is_constant(common, 1)) return multiply(rearranged_sum(scaled(p), 1, scaled(q)), common);
   const bool is_multiple = !is_constant(p.node, 1) && !is_constant(q.node, 1) &&
                            std::abs(p.factor) == std::abs(q.factor) && std::abs(p.factor) != 1;
-  if (is_multiple || (p.factor == -1 && q.factor == -1))
-    return scaled({p.factor, rearranged_sum(p.node, q.factor / p.factor, q.node)});
+  if (is_multiple) return scaled({p.factor, rearranged_sum(p.node, q.factor / p.factor, q.node)});
+  // One node for a sum and its negative.
+  if (p.factor < 0 && q.factor < 0)
+    return scaled({-1, rearranged_sum(scaled({-p.factor, p.node}), 1, scaled({-q.factor, q.node}))});
   if (q.factor < 0) return intern({Op::subtract, scaled(p), scaled({-q.factor, q.node}), 0, 0});
   if (p.factor < 0) return intern({Op::subtract, scaled(q), scaled({-p.factor, p.node}), 0, 0});
   return intern_sum(scaled(p), scaled(q));
 }
 
-// All that a product is a product of, with the products on the way. False: more than the budget.
+// All that a product is a product of, with the products on the way. What has powers stays whole: y = a b in a
+// sum of powers of y. False: more than the budget.
 bool Graph::collect_factors(Node product, std::vector<Node>& found) const {
   constexpr std::size_t budget = 32;
   if (found.size() == budget) return false;
   found.push_back(product);
   const Operation& o = nodes_[product];
-  return o.op != Op::multiply || (collect_factors(o.a, found) && collect_factors(o.b, found));
+  if (o.op != Op::multiply || bases_.contains(product)) return true;
+  return collect_factors(o.a, found) && collect_factors(o.b, found);
 }
 
 // The largest one found, if there is any but numbers.
