@@ -5,10 +5,21 @@
 #include "../tests/typed_builtins.hpp"
 
 #include <isostretch/energies/builtin/arruda_boyce.hpp>
+#include <isostretch/energies/builtin/exponential_amips.hpp>
+#include <isostretch/energies/builtin/fixed_corotational.hpp>
 #include <isostretch/energies/builtin/fung.hpp>
+#include <isostretch/energies/builtin/hencky.hpp>
+#include <isostretch/energies/builtin/mips_2d.hpp>
+#include <isostretch/energies/builtin/mips_3d.hpp>
+#include <isostretch/energies/builtin/mooney_rivlin_3d.hpp>
 #include <isostretch/energies/builtin/neo_hookean_log.hpp>
+#include <isostretch/energies/builtin/st_venant_kirchhoff.hpp>
 #include <isostretch/energies/builtin/stable_neo_hookean.hpp>
+#include <isostretch/energies/builtin/stable_neo_hookean_log.hpp>
+#include <isostretch/energies/builtin/symmetric_arap.hpp>
+#include <isostretch/energies/builtin/symmetric_dirichlet.hpp>
 #include <isostretch/energies/builtin/symmetric_gradient.hpp>
+#include <isostretch/energies/builtin/volume_symmetric.hpp>
 #include <isostretch/energies/registry.hpp>
 #include <isostretch/expressions/expression.hpp>
 #include <isostretch/projection/projection.hpp>
@@ -26,15 +37,26 @@ namespace {
 
 using namespace isostretch;
 
-// psi of an energy of the library, and nothing else of it.
+// psi of an energy of the library by its invariants or its stretches, and nothing else of it.
 template <class Energy>
-struct PsiAlone {
+struct Alone {
   static constexpr const char* name = "psi_alone";
   static constexpr double minimum_determinant = 0;
+  static constexpr bool supports(int dim) { return energies::supports<Energy>(dim); }
   Energy energy;
+};
+template <class Energy>
+struct OfInvariants : Alone<Energy> {
   template <int Dim, class T>
   T psi(const energies::Invariants<Dim, T>& I) const {
-    return energy.psi(I);
+    return this->energy.psi(I);
+  }
+};
+template <class Energy>
+struct OfStretches : Alone<Energy> {
+  template <int Dim, class T>
+  T psi(const invariants::Stretch<Dim, T>& s) const {
+    return this->energy.psi(s);
   }
 };
 
@@ -101,19 +123,30 @@ void report(const char* name, const energies::AnyEnergy& one, const energies::An
   std::printf("\n");
 }
 
+template <class Energy>
+void report_jets() {
+  constexpr int dim = energies::supports<Energy>(3) ? 3 : 2;
+  const energies::AnyEnergy by_hand = energies::make_energy(Energy::name);
+  if constexpr (requires(Energy e, energies::Invariants<dim, double> I) { e.psi(I); })
+    report((std::string(Energy::name) + ", of invariants").c_str(), OfInvariants<Energy>{}, by_hand);
+  if constexpr (requires(Energy e, invariants::Stretch<dim, double> s) { e.psi(s); })
+    report((std::string(Energy::name) + ", of stretches").c_str(), OfStretches<Energy>{}, by_hand);
+}
+template <class... Energies>
+void jets() {
+  (report_jets<Energies>(), ...);
+}
+
 int run() {
   std::printf("| typed | 2D by hand | typed | ratio | 3D by hand | typed | ratio |\n");
   for (const auto& typed : tests::typed_builtins())
     report(typed.name.c_str(), expressions::parse_energy(typed.text, typed.parameters),
            energies::make_energy(typed.name, typed.parameters));
   std::printf("| psi alone | 2D by hand | jets | ratio | 3D by hand | jets | ratio |\n");
-  report("neo_hookean_log", PsiAlone<energies::NeoHookeanLog>{}, energies::make_energy("neo_hookean_log"));
-  report("stable_neo_hookean", PsiAlone<energies::StableNeoHookean>{},
-         energies::make_energy("stable_neo_hookean"));
-  report("arruda_boyce", PsiAlone<energies::ArrudaBoyce>{}, energies::make_energy("arruda_boyce"));
-  report("fung", PsiAlone<energies::Fung>{}, energies::make_energy("fung"));
-  report("symmetric_gradient", PsiAlone<energies::SymmetricGradient>{},
-         energies::make_energy("symmetric_gradient"));
+  using namespace energies;
+  jets<ArrudaBoyce, ExponentialAmips, FixedCorotational, Fung, Hencky, Mips2d, Mips3d, MooneyRivlin3d,
+       NeoHookeanLog, StVenantKirchhoff, StableNeoHookean, StableNeoHookeanLog, SymmetricArap,
+       SymmetricDirichlet, SymmetricGradient, VolumeSymmetric>();
   return sink == sink ? 0 : 1;
 }
 

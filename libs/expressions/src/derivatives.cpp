@@ -82,7 +82,8 @@ Node Derivatives::derive(Node expression, Variable by) {
       return g.subtract(D(o.a, by), D(o.b, by));
     case Op::multiply: {
       const auto [base, exponent] = g.as_power(expression);
-      if (exponent > 1) return g.multiply(g.scale(exponent, g.power(base, static_cast<double>(exponent - 1))), D(base, by));
+      if (exponent > 1)
+        return g.multiply(g.scale(exponent, g.power(base, static_cast<double>(exponent - 1))), D(base, by));
       return g.add(g.multiply(D(o.a, by), o.b), g.multiply(o.a, D(o.b, by)));
     }
     case Op::divide:

@@ -28,8 +28,8 @@ class Compiler {
  private:
   bool is_constant(Node node) const { return operations_[node].op == Op::constant; }
 
-  // psi comes out the same to the last bit by itself and beside its derivatives, and what cancels in it goes on
-  // to cancel: there only multiples are fused, and only by what psi itself needs.
+  // psi comes out the same to the last bit by itself and beside its derivatives, and what cancels in it goes
+  // on to cancel: there only multiples are fused, and only by what psi itself needs.
   void fuse(const std::vector<Node>& outputs) {
     const std::vector<int> uses = count_uses(outputs), uses_in_psi = count_uses({outputs.front()});
     for (Node node = 0; node < operations_.size(); ++node) {

@@ -58,6 +58,7 @@ TEST_CASE("arithmetic of jets") {
   check([](Jet x, Jet y, Jet z) { return x + y * z - x * x * z; });
   check([](Jet x, Jet y, Jet z) { return x / y - z / (x * y); });
   check([](Jet x, Jet y, Jet z) { return -x * y + reciprocal(z); });
+  check([](Jet x, Jet y, Jet z) { return fma(x, y - z, z * x); });
   check([](Jet x, Jet y, Jet z) { return 2.0 * x + y * 3.0 - z / 4.0 + 5.0 / z; });
   check([](Jet x, Jet y, Jet z) { return (1.0 + x) * (y - 2.0) * (3.0 - z) * (z + 4.0); });
 }

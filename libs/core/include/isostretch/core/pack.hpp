@@ -41,6 +41,8 @@
 #endif
 
 #define ISOSTRETCH_INLINE inline __attribute__((always_inline))
+// Everything that the function calls becomes part of it, what a user wrote without the above as well.
+#define ISOSTRETCH_FLATTEN __attribute__((flatten))
 
 namespace isostretch {
 inline namespace ISOSTRETCH_ISA {

@@ -95,7 +95,7 @@ ISOSTRETCH_INLINE Pack guarded(const Energy& energy, const Stretch<Dim, Pack>& s
 }
 
 template <int Dim, class Energy>
-void psi_of_chunk(const void* object, const StretchChunk& chunk) {
+ISOSTRETCH_FLATTEN void psi_of_chunk(const void* object, const StretchChunk& chunk) {
   const Energy energy = *static_cast<const Energy*>(object);
   for (int i = 0; i < chunk.count; i += lanes) {
     const auto s = load_stretch<Dim>(chunk, i);
@@ -104,7 +104,7 @@ void psi_of_chunk(const void* object, const StretchChunk& chunk) {
 }
 
 template <int Dim, class Energy>
-void derivatives_of_chunk(const void* object, const StretchChunk& chunk) {
+ISOSTRETCH_FLATTEN void derivatives_of_chunk(const void* object, const StretchChunk& chunk) {
   const Energy energy = *static_cast<const Energy*>(object);
   for (int i = 0; i < chunk.count; i += lanes) {
     const auto s = load_stretch<Dim>(chunk, i);

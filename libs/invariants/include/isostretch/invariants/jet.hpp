@@ -91,6 +91,11 @@ ISOSTRETCH_INLINE Jet2<T> operator*(const Jet2<T>& x, const Jet2<T>& y) {
 }
 
 template <class T>
+ISOSTRETCH_INLINE Jet2<T> fma(const Jet2<T>& x, const Jet2<T>& y, const Jet2<T>& z) {
+  return x * y + z;
+}
+
+template <class T>
 ISOSTRETCH_INLINE Jet2<T> reciprocal(const Jet2<T>& x) {
   const T i = T(1.0) / x.v;
   const T di = -(i * i);

@@ -13,6 +13,7 @@ using isostretch::abs;
 using isostretch::cbrt;
 using isostretch::exp;
 using isostretch::expm1;
+using isostretch::fma;
 using isostretch::log;
 using isostretch::log1p;
 using isostretch::max;
