@@ -80,7 +80,48 @@ struct UserHencky {
   }
 };
 
+// As they stand on paper, of invariants and of stretches.
+struct FunctionOfInvariants {
+  static constexpr const char* name = "function_of_invariants";
+  static constexpr double minimum_determinant = 0.0;
+  double mu = 1.0, lambda = 1.0;
+
+  template <class Visitor>
+  void parameters(Visitor&& visit) {
+    visit("mu", mu, "shear modulus");
+    visit("lambda", lambda, "first Lame parameter");
+  }
+
+  template <class T>
+  T operator()(T, T I2, T I3) const {
+    using isostretch::log;
+    return 0.5 * mu * I2 - mu * log(I3) + 0.5 * lambda * (log(I3) * log(I3));
+  }
+};
+
+struct FunctionOfStretches {
+  static constexpr const char* name = "function_of_stretches";
+  static constexpr bool of_stretches = true;
+  static constexpr double minimum_determinant = 0.0;
+
+  template <class... T>
+  auto operator()(T... sigma) const {
+    using isostretch::log;
+    using isostretch::square;
+    return (square(log(sigma)) + ...) + 0.5 * square((log(sigma) + ...));
+  }
+};
+
 const Stretch<3, double> stretched{{1.7, 1.1, 0.6}};
+
+template <int Dim>
+void check_same_derivatives(const AnyEnergy& one, const AnyEnergy& other, const Stretch<Dim, double>& s) {
+  const auto a = PointChunk<Dim>(s).derivatives(one), b = PointChunk<Dim>(s).derivatives(other);
+  for_each_entry<Dim>(a, b, [](const char* entry, double x, double y) {
+    CAPTURE(entry);
+    CHECK(std::abs(x - y) <= 1e-13 * (1 + std::abs(y)));
+  });
+}
 
 }  // namespace
 
@@ -189,6 +230,25 @@ TEST_CASE("psi of the stretches alone is enough, also where stretches are equal 
       }
     }
   });
+}
+
+TEST_CASE("an operator() of invariants or of stretches is enough") {
+  at_every_level([](Isa isa) {
+    CAPTURE(isa_name(isa));
+    const AnyEnergy by_invariants = FunctionOfInvariants{2.0, 3.0}, by_stretches = FunctionOfStretches{};
+    CHECK(by_invariants.name() == "function_of_invariants");
+    CHECK(by_invariants.parameters().at(1).value == 3.0);
+    CHECK(by_stretches.determinant_bound() == 0.0);
+    const AnyEnergy neo_hookean = make_energy("neo_hookean_log", {{"mu", 2}, {"lambda", 3}});
+    const Stretch<2, double> plane{{1.4, 0.8}};
+    check_same_derivatives(by_invariants, neo_hookean, stretched);
+    check_same_derivatives(by_invariants, neo_hookean, plane);
+    check_same_derivatives(by_stretches, make_energy("hencky"), stretched);
+    check_same_derivatives(by_stretches, make_energy("hencky"), plane);
+  });
+  add_energy(entry_of<FunctionOfInvariants>());
+  check_same_derivatives(make_energy("function_of_invariants", {{"mu", 5}}),
+                         make_energy("neo_hookean_log", {{"mu", 5}}), stretched);
 }
 
 TEST_CASE("energies of a program's own are in the registry once it has added them") {

@@ -65,6 +65,38 @@ struct NoBarrier : Broken {
 
 }  // namespace
 
+namespace {
+
+struct FunctionEnergy {
+  static constexpr const char* name = "function_energy";
+  static constexpr double minimum_determinant = 0.0;
+  template <class T>
+  T operator()(T I1, T I2, T I3) const {
+    using isostretch::log;
+    return I2 - 2.0 * I1 + 0.1 * log(I3) * log(I3);
+  }
+};
+
+// Roots of negative numbers: no energy under inversion, and no barrier said.
+struct Ogden {
+  static constexpr const char* name = "ogden";
+  static constexpr bool of_stretches = true;
+  template <class... T>
+  auto operator()(T... sigma) const {
+    using isostretch::pow;
+    return (pow(sigma, 1.5) + ...);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an energy may be a function of numbers") {
+  const auto report = isostretch::testing::check_energy(FunctionEnergy{});
+  CHECK_MESSAGE(report.ok(), report.text());
+  CHECK(report.name == "function_energy");
+  CHECK_FALSE(isostretch::testing::check_energy(Ogden{}).ok());
+}
+
 TEST_CASE("check_energy notices a single wrong entry") {
   const auto sound = isostretch::testing::check_energy(Broken{});
   CHECK_MESSAGE(sound.ok(), sound.text());

@@ -3,6 +3,7 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/isa.hpp>
 #include <isostretch/energies/evaluate.hpp>
+#include <isostretch/energies/function_energy.hpp>
 
 #include <array>
 #include <memory>
@@ -65,6 +66,10 @@ class AnyEnergy {
   }
 
  private:
+  struct WithPsi {};
+  template <class Energy>
+  AnyEnergy(WithPsi, Energy energy);
+
   const EnergyFunctions& active() const { return functions_[static_cast<std::size_t>(active_isa())]; }
 
   std::shared_ptr<const void> object_;
@@ -79,7 +84,10 @@ template <class Energy>
 requires requires {
   Energy::name;
 }
-AnyEnergy::AnyEnergy(Energy energy)
+AnyEnergy::AnyEnergy(Energy energy) : AnyEnergy(WithPsi{}, with_psi(std::move(energy))) {}
+
+template <class Energy>
+AnyEnergy::AnyEnergy(WithPsi, Energy energy)
     : name_(Energy::name), determinant_bound_(energies::determinant_bound(energy)) {
   if (const auto* compiled = builtin_functions(name_)) {
     functions_ = *compiled;

@@ -5,7 +5,8 @@
 // An energy is a struct with a `name` and one of
 //   template <int Dim, class T> T psi(const Invariants<Dim, T>& I) const;
 //   template <int Dim, class T> T psi(const Stretch<Dim, T>& s) const;
-// each of which is enough on its own, jets derive the rest; and optionally one of
+// each of which is enough on its own, jets derive the rest (as is an operator(), function_energy.hpp); and
+// optionally one of
 //   template <int Dim, class T> Partials<T> partials(const Invariants<Dim, T>& I) const;
 //   template <int Dim, class T> void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d)
 //   const;

@@ -18,6 +18,7 @@
 // infinite outside its domain; everything is finite at degenerate stretch.
 
 #include <isostretch/energies/evaluate.hpp>
+#include <isostretch/energies/function_energy.hpp>
 #include <isostretch/testing/automatic_derivatives.hpp>
 #include <isostretch/testing/deformation_samples.hpp>
 #include <isostretch/testing/derivative_checks.hpp>
@@ -301,13 +302,17 @@ class EnergyChecker {
 
 template <class Energy>
 EnergyReport check_energy(const Energy& energy, const EnergyCheckOptions& options = {}) {
-  EnergyReport report;
-  report.name = Energy::name;
-  if constexpr (energies::supports<Energy>(2))
-    detail::EnergyChecker<2, Energy>(energy, options, report).run();
-  if constexpr (energies::supports<Energy>(3))
-    detail::EnergyChecker<3, Energy>(energy, options, report).run();
-  return report;
+  if constexpr (energies::FunctionEnergy<Energy>) {
+    return check_energy(energies::with_psi(energy), options);
+  } else {
+    EnergyReport report;
+    report.name = Energy::name;
+    if constexpr (energies::supports<Energy>(2))
+      detail::EnergyChecker<2, Energy>(energy, options, report).run();
+    if constexpr (energies::supports<Energy>(3))
+      detail::EnergyChecker<3, Energy>(energy, options, report).run();
+    return report;
+  }
 }
 
 }  // namespace isostretch::testing
