@@ -79,6 +79,14 @@ TEST_SUITE("symmetric eigen-decomposition") {
       for (int j = 0; j < 4; ++j) graded(i, j) = std::pow(10.0, -2.0 * (i + j)) * (i == j ? 2 : 1);
     check(graded);
     check(graded.reverse().eval());
+    for (const double tiny : {1e-140, 1e-150, 1e-155, 1e-160, 1e-165, 1e-300, 5e-324}) {
+      Matrix nearly = Eigen::Vector3d(2, 1, 3).asDiagonal();
+      nearly(0, 2) = nearly(2, 0) = tiny;
+      check(nearly);
+    }
+    check(1e-310 * Matrix::Identity(3, 3));
+    const double smallest = 1e-310;
+    CHECK(Decomposition(&smallest, 1).value(0) == smallest);
     Matrix swap = Matrix::Zero(2, 2);
     swap(0, 1) = swap(1, 0) = 1;
     check(swap);

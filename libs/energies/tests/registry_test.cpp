@@ -112,6 +112,21 @@ struct FunctionOfStretches {
   }
 };
 
+// A psi, beside which an operator() may be anything; and a function of two stretches.
+struct PsiAndMore : UserEnergy {
+  static constexpr const char* name = "psi_and_more";
+  double operator()(double a, double b, double c) const { return a + b + c; }
+};
+
+struct FunctionInThePlane {
+  static constexpr const char* name = "function_in_the_plane";
+  static constexpr bool of_stretches = true;
+  template <class T>
+  T operator()(T s1, T s2) const {
+    return s1 * s1 + s2 * s2;
+  }
+};
+
 const Stretch<3, double> stretched{{1.7, 1.1, 0.6}};
 
 template <int Dim>
@@ -246,6 +261,9 @@ TEST_CASE("an operator() of invariants or of stretches is enough") {
     check_same_derivatives(by_stretches, make_energy("hencky"), stretched);
     check_same_derivatives(by_stretches, make_energy("hencky"), plane);
   });
+  CHECK(PointChunk<3>(stretched).psi(PsiAndMore{}) == PointChunk<3>(stretched).psi(UserEnergy{}));
+  CHECK_FALSE(AnyEnergy(FunctionInThePlane{}).supports(3));
+  CHECK(PointChunk<2>(Stretch<2, double>{{3.0, 2.0}}).psi(FunctionInThePlane{}) == 13.0);
   add_energy(entry_of<FunctionOfInvariants>());
   check_same_derivatives(make_energy("function_of_invariants", {{"mu", 5}}),
                          make_energy("neo_hookean_log", {{"mu", 5}}), stretched);

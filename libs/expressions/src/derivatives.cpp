@@ -277,7 +277,7 @@ Node ExchangeDifferences::plain(Node expression) {
 }
 
 Node ExchangeDifferences::over_operand(Op op, Node x) {
-  return graph_.select(x, graph_.divide(graph_.unary(op, x), x), graph_.constant(1));
+  return graph_.select(x, graph_.quotient(graph_.unary(op, x), x), graph_.constant(1));
 }
 
 Node ExchangeDifferences::secant(const Operation& o, Node change) {

@@ -21,6 +21,18 @@ ISOSTRETCH_DISPATCH(ExpressionKernels, expression_kernels)
 
 namespace {
 
+// Where two stretches are apart the plain quotient of slopes has all digits that matter. The divided
+// difference would have them, too, but for functions so steep that their values there differ by powers of
+// ten.
+Node flip(Graph& graph, int j, int k, Node slope_j, Node slope_k) {
+  constexpr double apart = 0.01;  // of a stretch
+  const Node s = graph.variable(stretch(j)), gap = graph.subtract(s, graph.variable(stretch(k)));
+  const Node is_apart =
+      graph.binary(Op::less, graph.scale(apart, graph.unary(Op::abs, s)), graph.unary(Op::abs, gap));
+  const Node quotient = graph.divide(graph.subtract(slope_j, slope_k), gap);
+  return graph.select(is_apart, quotient, ExchangeDifferences(graph, j, k)(slope_j));
+}
+
 // psi, gradient, diagonal, coupling and flips, as kernels want them.
 template <int Dim>
 std::vector<Node> by_stretches(Graph& graph, Node psi) {
@@ -33,7 +45,7 @@ std::vector<Node> by_stretches(Graph& graph, Node psi) {
     outputs.push_back(D(D(psi, stretch(invariants::first<Dim>(i))), stretch(invariants::second<Dim>(i))));
   for (int i = 0; i < pairs; ++i) {
     const int j = invariants::first<Dim>(i), k = invariants::second<Dim>(i);
-    outputs.push_back(ExchangeDifferences(graph, j, k)(D(psi, stretch(j))));
+    outputs.push_back(flip(graph, j, k, D(psi, stretch(j)), D(psi, stretch(k))));
   }
   return outputs;
 }

@@ -80,7 +80,8 @@ class Graph {
   // derivatives, of which nothing is asked elsewhere, and not for what a user wrote.
   void assume_finite() { assumes_finite_ = true; }
   // That, and from here on sums and products are rearranged to save operations: numbers are gathered, common
-  // factors taken out of sums. Right up to rounding, which is why what a user wrote is left alone.
+  // factors taken out of sums. Right up to rounding, and to overflow on the way, which is why what a user
+  // wrote is left alone.
   void save_operations() { assumes_finite_ = saves_operations_ = true; }
 
   const Operation& operator[](Node node) const { return nodes_[node]; }
@@ -100,6 +101,8 @@ class Graph {
   Node divide(Node a, Node b) { return binary(Op::divide, a, b); }
   Node negate(Node a) { return unary(Op::negate, a); }
   Node scale(double factor, Node a) { return multiply(constant(factor), a); }
+  // A division that is not rearranged: for quotients of what may be too small to divide by alone.
+  Node quotient(Node a, Node b) { return intern({Op::divide, a, b, 0, 0}); }
   // 1 / a, and (1 / u)^n for what is known as u^n.
   Node reciprocal(Node a);
 

@@ -3,6 +3,7 @@
 #include <isostretch/core/error.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -27,9 +28,13 @@ class Compiler {
 
  private:
   bool is_constant(Node node) const { return operations_[node].op == Op::constant; }
+  bool is_power_of_two(Node constant) const {
+    int exponent;
+    return std::abs(std::frexp(operations_[constant].value, &exponent)) == 0.5;
+  }
 
-  // psi comes out the same to the last bit by itself and beside its derivatives, and what cancels in it goes
-  // on to cancel: there only multiples are fused, and only by what psi itself needs.
+  // psi comes out as without fusing, by itself and beside its derivatives: in it only multiples by powers of
+  // two are fused, which are exact.
   void fuse(const std::vector<Node>& outputs) {
     const std::vector<int> uses = count_uses(outputs), uses_in_psi = count_uses({outputs.front()});
     for (Node node = 0; node < operations_.size(); ++node) {
@@ -39,7 +44,9 @@ class Compiler {
       const auto may_vanish = [&](Node product, Node other) {
         const Operation& m = operations_[product];
         if (m.op != Op::multiply || (in_psi ? uses_in_psi : uses)[product] != 1) return false;
-        return (is_constant(m.a) || is_constant(m.b)) ? !is_constant(other) : !in_psi;
+        if (is_constant(m.a) || is_constant(m.b))
+          return !is_constant(other) && (!in_psi || is_power_of_two(is_constant(m.a) ? m.a : m.b));
+        return !in_psi;
       };
       if (may_vanish(o.a, o.b))
         o = fused(o.op == Op::add ? Op::multiply_add : Op::multiply_subtract, o.a, o.b);

@@ -6,7 +6,8 @@
 
 namespace isostretch::expressions {
 
-// factor * node, node not a multiple of something itself; a number is a multiple of the node 1.
+// factor * node, node not a multiple of something itself unless the factor would overflow or vanish; a number
+// is a multiple of the node 1.
 Graph::Scaled Graph::split(Node a) {
   double factor = 1;
   for (;;) {
@@ -15,12 +16,13 @@ Graph::Scaled Graph::split(Node a) {
     if (o.op == Op::negate) {
       factor = -factor;
       a = o.a;
-    } else if (o.op == Op::multiply && (is_constant(o.a) || is_constant(o.b))) {
-      factor *= nodes_[is_constant(o.a) ? o.a : o.b].value;
-      a = is_constant(o.a) ? o.b : o.a;
-    } else {
-      return {factor, a};
+      continue;
     }
+    if (o.op != Op::multiply || is_constant(o.a) == is_constant(o.b)) return {factor, a};
+    const double next = factor * nodes_[is_constant(o.a) ? o.a : o.b].value;
+    if (!std::isnormal(next)) return {factor, a};
+    factor = next;
+    a = is_constant(o.a) ? o.b : o.a;
   }
 }
 
@@ -53,8 +55,9 @@ Node Graph::rearranged_sum(Node a, double sign, Node b) {
   if (p.node == q.node && std::isfinite(p.factor + q.factor)) return scaled({p.factor + q.factor, p.node});
   Node common = constant(1);
   while (const auto factor = common_factor(p.node, q.node)) {
-    p.node = *without(p.node, *factor);
-    q.node = *without(q.node, *factor);
+    const auto rest_of_p = without(p.node, *factor), rest_of_q = without(q.node, *factor);
+    if (!rest_of_p || !rest_of_q) break;  // a product on the way has got powers meanwhile
+    p.node = *rest_of_p, q.node = *rest_of_q;
     common = multiply(common, *factor);
   }
   if (!is_constant(common, 1)) return multiply(rearranged_sum(scaled(p), 1, scaled(q)), common);
@@ -89,11 +92,11 @@ std::optional<Node> Graph::common_factor(Node a, Node b) const {
   return std::nullopt;
 }
 
-// Nothing where it is no factor.
+// Nothing where it is no factor that is found above.
 std::optional<Node> Graph::without(Node product, Node factor) {
   if (product == factor) return constant(1);
   const Operation o = nodes_[product];
-  if (o.op != Op::multiply) return std::nullopt;
+  if (o.op != Op::multiply || bases_.contains(product)) return std::nullopt;
   if (const auto rest = without(o.a, factor)) return multiply(*rest, o.b);
   if (const auto rest = without(o.b, factor)) return multiply(o.a, *rest);
   return std::nullopt;

@@ -225,6 +225,30 @@ TEST_SUITE("expressions") {
     CHECK(d(parse_energy("sum(exp(-1/s))"), 1, 1e-3).flip[0] == doctest::Approx(std::exp(-1) / 0.999));
   }
 
+  TEST_CASE("flips of steep functions keep their digits where stretches are apart") {
+    using S = invariants::Stretch<2, double>;
+    const std::pair<const char*, S> cases[] = {{"sum(1/expm1(1/(s-1)^2)) + I2", {{1.3, 1.1}}},
+                                               {"sum(sinh(s^3)^-2)", {{5, 0.7}}},
+                                               {"sum(exp(s^2)/(1+exp(s^2))^2)", {{10, 0.5}}},
+                                               {"sum(cosh(5*(s-1))^-2)", {{10, 0.5}}},
+                                               {"sum(1/(1+s^17)^3)", {{10, 0.5}}},
+                                               {"sum((1+s^6)^-2)", {{10, 0.5}}},
+                                               {"sum(sin(exp(-1/(s-1)^2)))+I2", {{1.0372, 1.037}}},
+                                               {"I2 + abs(0.3*s1 - 0.3*s2)", {{1.3, 1.1}}}};
+    for (const auto& [text, s] : cases) {
+      CAPTURE(text);
+      const auto d = energies::derivatives_at(parse_energy(text), s);
+      const double exact = (d.gradient[0] - d.gradient[1]) / (s[0] - s[1]);
+      CHECK(std::abs(d.flip[0] - exact) <= 1e-11 * std::abs(exact));
+    }
+    // No quotient of two things that are too small.
+    for (const char* text : {"sum(sinh((s-1)^34)) + I2", "sum(tanh(1e-300*s^2)) + I2"}) {
+      CAPTURE(text);
+      const auto d = energies::derivatives_at(parse_energy(text), S{{1 + 1e-9, 1 - 1e-9}});
+      CHECK(d.flip[0] == doctest::Approx(2));
+    }
+  }
+
   TEST_CASE("every instruction set gives the same to rounding") {
     const AnyEnergy energy =
         parse_energy("sum(log(s)^2) + I2^1.3*cbrt(J) + sin(I1) + max(J, 1.1) + if(I1 > 3, tanh(I1), 0)");

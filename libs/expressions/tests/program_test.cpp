@@ -104,8 +104,31 @@ TEST_SUITE("programs of expressions") {
     // y = I2/J again: the slope of the sum is one polynomial times dy.
     Parsed series("I2/J + 0.1*(I2/J)^2 + 0.01*(I2/J)^3 + 0.001*(I2/J)^4");
     const Program program = series.with_derivative(Variable::I3);
-    CHECK(count(program, Op::multiply_add) >= 5);
+    CHECK(count(program, Op::multiply_add) >= 2);
     CHECK(operations(program) <= 18);
+  }
+
+  TEST_CASE("factors that would overflow together stay apart") {
+    const auto energy = parse_energy("I2 + 1e200*(1e200*exp(-200*I2))");
+    const auto d = energies::derivatives_at(energy, invariants::Stretch<2, double>{{1.9, 1.7}});
+    CHECK(d.gradient[0] == doctest::Approx(3.8));
+    CHECK(d.twist[0] == doctest::Approx(2));
+  }
+
+  TEST_CASE("powers of powers are parsed at once") {
+    for (const char* text :
+         {"((((((((I2/d)^16)^16)^16)^16)^16)^16)^16)^16", "sum((((((((s^16)^16)^16)^16)^16)^16)^16)^16)",
+          "sum((((((s^16)^16)^16)^16)^16)^16)"}) {
+      CAPTURE(text);
+      CHECK(derivatives_at(parse_energy(text), invariants::Stretch<2, double>{{1, 1}}).psi > 0);
+    }
+    std::string nested = "s";
+    for (int level = 0; level < 24; ++level) nested = "((" + nested + ")*s)^2*J";
+    try {
+      parse_energy("sum(" + nested + ")");
+    } catch (const Error& error) {
+      CHECK(std::string(error.what()).find("operations") != std::string::npos);
+    }
   }
 
   TEST_CASE("the energies of the library do not become longer again") {
@@ -118,7 +141,7 @@ TEST_SUITE("programs of expressions") {
     };
     for (const auto& typed : tests::typed_builtins()) {
       CAPTURE(typed.name);
-      if (typed.name == "arruda_boyce") CHECK(derivatives(typed) <= 50);
+      if (typed.name == "arruda_boyce") CHECK(derivatives(typed) <= 55);
       if (typed.name == "fung") CHECK(derivatives(typed) <= 32);
       if (typed.name == "neo_hookean_log") CHECK(derivatives(typed) <= 17);
     }
@@ -136,8 +159,8 @@ TEST_SUITE("programs of expressions") {
   }
 
   TEST_CASE("what cancels in psi still does: the root of a discriminant at equal stretches") {
-    const auto energy = parse_energy("sqrt(I1^2 - 4*J) + sqrt(I1*I1 - 4*J) + I2");
-    for (const double s : {0.3, 0.7, 1.0, 1.1, 1.7, 2.9}) {
+    const auto energy = parse_energy("sqrt(I1^2 - 4*J) + sqrt(I1*I1 - 4*J) + sqrt(0.3*I1^2 - 1.2*J) + I2");
+    for (double s = 0.3; s < 3; s *= 1.03) {
       std::vector<double> sigma(2 * Chunk<2>::points, s);
       Chunk<2> chunk(sigma);
       energy.evaluate_psi(2, chunk.chunk);

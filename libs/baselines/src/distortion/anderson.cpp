@@ -70,7 +70,8 @@ class Anderson final : public FirstOrderMethod {
             differences_[i].residual.dot(differences_[j].residual) / (length[i] * length[j]);
     }
     const SymmetricEigen<window> eigen(normal.data(), static_cast<int>(size));
-    for (int k = 0; k < static_cast<int>(size); ++k) {
+    // Nothing is combined of what is not finite.
+    for (int k = 0; eigen.converged() && k < static_cast<int>(size); ++k) {
       if (eigen.value(k) <= rounding) continue;
       const double* v = eigen.vector(k);
       const double along = std::inner_product(v, v + size, right.begin(), 0.0) / eigen.value(k);

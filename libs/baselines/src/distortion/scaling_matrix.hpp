@@ -45,6 +45,7 @@ template <int Capacity>
 void clamp_to_semidefinite(double* A, int n) {
   const SymmetricEigen<Capacity> eigen(A, n);
   std::fill(A, A + n * n, eigen.converged() ? 0.0 : std::numeric_limits<double>::quiet_NaN());
+  if (!eigen.converged()) return;
   for (int k = 0; k < n; ++k) {
     if (!(eigen.value(k) > 0)) continue;
     const double* v = eigen.vector(k);

@@ -37,14 +37,14 @@ class SymmetricEigen {
 
  private:
   using Row = std::array<double, Capacity>;
+  static constexpr double negligible_square = 1e-290;  // beside 1, and its inverse is finite
 
   // Entries of at most 1, such that no square overflows or vanishes.
   void copy_scaled(const double* A) {
     scale_ = 0;
     for (int i = 0; i < n_ * n_; ++i) scale_ = std::max(scale_, std::abs(A[i]));
-    const double factor = scale_ > 0 ? 1 / scale_ : 1.0;
     for (int i = 0; i < n_; ++i)
-      for (int j = 0; j < n_; ++j) a_[i][j] = A[i * n_ + j] * factor;
+      for (int j = 0; j < n_; ++j) a_[i][j] = scale_ > 0 ? A[i * n_ + j] / scale_ : 0.0;
   }
 
   // H A H with H = I - beta v v^T, such that column k ends below its first off-diagonal entry. v is kept in
@@ -54,7 +54,7 @@ class SymmetricEigen {
     double below = 0;
     for (int i = first + 1; i < n_; ++i) below += a_[i][k] * a_[i][k];
     const double head = a_[first][k];
-    if (!(below > 0)) {
+    if (below < negligible_square) {
       off_[k] = head;
       beta_[k] = 0;
       return;

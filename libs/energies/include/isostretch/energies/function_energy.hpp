@@ -12,34 +12,51 @@
 //   struct Ogden {
 //     static constexpr const char* name = "ogden";
 //     static constexpr bool of_stretches = true;
-//     template <class... T> auto operator()(T... sigma) const { return (isostretch::pow(sigma, 1.5) + ...); }
+//     template <class... T> auto operator()(T... sigma) const {
+//       using isostretch::pow;
+//       return (pow(sigma, 1.5) + ...);
+//     }
 //   };
 //
 // All else that a struct may give (evaluate.hpp) stays as it is.
 
-#include <isostretch/invariants/partials.hpp>
-#include <isostretch/invariants/stretch.hpp>
+#include <isostretch/energies/evaluate.hpp>
 
 #include <type_traits>
 #include <utility>
 
 namespace isostretch::energies {
 
-template <class Energy>
-concept FunctionEnergy = !requires {
-  Energy::has_psi;
+template <class Energy, int Dim>
+concept HasPsi = requires(const Energy& energy, invariants::Invariants<Dim, double> I) {
+  energy.psi(I);
 }
-&&(
-    requires(const Energy& energy, double x) { energy(x, x, x); } ||
-    requires(const Energy& energy, double x) { energy(x, x); });
+|| requires(const Energy& energy, invariants::Stretch<Dim, double> s) {
+  energy.psi(s);
+};
+template <class Energy>
+concept OfTwoNumbers = requires(const Energy& energy, double x) {
+  energy(x, x);
+};
+template <class Energy>
+concept OfThreeNumbers = requires(const Energy& energy, double x) {
+  energy(x, x, x);
+};
+
+template <class Energy>
+concept FunctionEnergy =
+    !HasPsi<Energy, 2> && !HasPsi<Energy, 3> && (OfTwoNumbers<Energy> || OfThreeNumbers<Energy>);
 
 inline namespace ISOSTRETCH_ISA {
 
 // The struct with a psi that calls it.
 template <FunctionEnergy Energy>
 struct FunctionAsPsi : Energy {
-  static constexpr bool has_psi = true;
   static constexpr bool takes_stretches = requires { requires Energy::of_stretches; };
+  static constexpr bool supports(int dim) {
+    const bool is_called = takes_stretches && dim == 2 ? OfTwoNumbers<Energy> : OfThreeNumbers<Energy>;
+    return is_called && energies::supports<Energy>(dim);
+  }
 
   template <int Dim, class T>
   requires(!takes_stretches) ISOSTRETCH_INLINE T psi(const invariants::Invariants<Dim, T>& I)
@@ -58,8 +75,11 @@ struct FunctionAsPsi : Energy {
 template <class Energy>
 auto with_psi(Energy energy) {
   if constexpr (FunctionEnergy<Energy>) {
+    using WithPsi = FunctionAsPsi<Energy>;
     static_assert(!std::is_final_v<Energy>, "an energy with operator() must not be final");
-    return FunctionAsPsi<Energy>{std::move(energy)};
+    static_assert(WithPsi::supports(2) || WithPsi::supports(3),
+                  "operator() takes I1, I2, I3 or, said to be of_stretches, two or three stretches");
+    return WithPsi{std::move(energy)};
   } else {
     return energy;
   }
