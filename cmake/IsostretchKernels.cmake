@@ -36,7 +36,7 @@ function(isostretch_add_kernels target)
     foreach(level IN LISTS ISOSTRETCH_ISA_LEVELS)
       set(unit ${CMAKE_CURRENT_BINARY_DIR}/kernels/${stem}.${level}.cpp)
       file(CONFIGURE OUTPUT ${unit} CONTENT "#include \"${CMAKE_CURRENT_SOURCE_DIR}/${file}\"\n" @ONLY)
-      set(flags ${_isostretch_kernel_flags})
+      set(flags ${_isostretch_kernel_flags} ${ISOSTRETCH_SANITIZE_BY_CALLS})
       if(NOT level STREQUAL base)
         list(APPEND flags -march=x86-64-${level})
       endif()
@@ -45,7 +45,8 @@ function(isostretch_add_kernels target)
         list(APPEND flags -fno-sanitize=all)
       endif()
       set_source_files_properties(${unit} PROPERTIES COMPILE_OPTIONS "${flags}"
-        OBJECT_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+        OBJECT_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file}
+        SKIP_PRECOMPILE_HEADERS ON)  # other flags, and nothing but what they include themselves
       target_sources(${target} PRIVATE ${unit})
     endforeach()
   endforeach()

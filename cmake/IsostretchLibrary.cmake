@@ -72,7 +72,8 @@ function(isostretch_add_library name)
       isostretch_test_support)
     isostretch_enable_warnings(${target}_tests)
     if(ISOSTRETCH_SANITIZE)
-      target_compile_options(${target}_tests PRIVATE -O0)  # instrumented templates take minutes to optimise
+      target_compile_options(${target}_tests PRIVATE -O0  # instrumented templates take minutes to optimise
+        ${ISOSTRETCH_SANITIZE_BY_CALLS})
     endif()
     add_test(NAME ${name} COMMAND ${target}_tests)
     # A program into which no test was linked must not pass.

@@ -15,3 +15,10 @@ if(ISOSTRETCH_SANITIZE)
   add_compile_options(-fsanitize=${ISOSTRETCH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${ISOSTRETCH_SANITIZE})
 endif()
+
+# The same checks of memory as calls instead of inline code, which is slower to run: for the large templates of kernels and
+# tests, of which a quarter to a half of the compile time is saved. gcc's spelling.
+set(ISOSTRETCH_SANITIZE_BY_CALLS)
+if(ISOSTRETCH_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(ISOSTRETCH_SANITIZE_BY_CALLS --param=asan-instrumentation-with-call-threshold=0)
+endif()

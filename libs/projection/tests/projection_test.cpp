@@ -61,9 +61,14 @@ std::vector<MatrixD<Dim>> deformations(bool inverted_too) {
   return result;
 }
 
+// Of run-time size: compiled once for both dimensions.
+Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> numerical_eigensystem(const Eigen::MatrixXd& H) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H);
+}
+
 template <int Dim>
 Hessian<Dim> numerically_filtered(const Hessian<Dim>& H, Filter filter, double threshold) {
-  const Eigen::SelfAdjointEigenSolver<Hessian<Dim>> eigen(H);
+  const auto eigen = numerical_eigensystem(H);
   Eigen::Matrix<double, Dim * Dim, 1> lambda = eigen.eigenvalues();
   if (filter == Filter::abs) lambda = lambda.cwiseAbs();
   if (filter != Filter::none) lambda = lambda.cwiseMax(threshold);
@@ -87,7 +92,7 @@ void check_filters(const energies::AnyEnergy& energy) {
         const auto filtered = projection::evaluate<Dim>(energy, F, {filter, threshold});
         const Hessian<Dim> expected = numerically_filtered<Dim>(exact.H, filter, threshold);
         CHECK((filtered.H - expected).norm() <= 1e-13 * norm + 1e-14);
-        const double smallest = Eigen::SelfAdjointEigenSolver<Hessian<Dim>>(filtered.H).eigenvalues()[0];
+        const double smallest = numerical_eigensystem(filtered.H).eigenvalues()[0];
         CHECK(smallest >= threshold - 1e-14 * norm);
         if (!filtered.filtered) CHECK((filtered.H.array() == exact.H.array()).all());
       }
@@ -194,14 +199,12 @@ TEST_CASE("bounded absolute values: clamping at strength 0, absolute values at 1
         const auto absolute = projection::evaluate<3>(energy, F, {Filter::abs}).H;
         CHECK((bounded(0.0) - clamped).norm() <= 1e-13 * norm + 1e-14);
         // Between the two in the order of positive semi-definite matrices.
-        const auto smallest = [](const Hessian<3>& H) {
-          return Eigen::SelfAdjointEigenSolver<Hessian<3>>(H).eigenvalues()[0];
-        };
+        const auto smallest = [](const Hessian<3>& H) { return numerical_eigensystem(H).eigenvalues()[0]; };
         for (const double strength : {0.3, 1.0}) {
           CHECK(smallest(bounded(strength) - clamped) >= -1e-13 * norm);
           CHECK(smallest(absolute - bounded(strength)) >= -1e-13 * norm);
         }
-        const Eigen::SelfAdjointEigenSolver<Hessian<3>> eigen(exact.H);
+        const auto eigen = numerical_eigensystem(exact.H);
         const auto& lambda = eigen.eigenvalues();
         // The largest eigenvalue of a shear that stiffens is a flip or a scaling mode; twists soften.
         if (lambda[0] < 0 && -lambda[0] < lambda[8] && name == "stable_neo_hookean")
@@ -216,7 +219,7 @@ TEST_CASE("a twist without bounds does not make the body rigid: bounded absolute
   const Eigen::Matrix3d collapsed = Eigen::Matrix3d::Zero();
   const auto largest = [&](Filter filter) {
     const auto H = projection::evaluate<3>(energy, collapsed, {filter}).H;
-    return Eigen::SelfAdjointEigenSolver<Hessian<3>>(H).eigenvalues()[8];
+    return numerical_eigensystem(H).eigenvalues()[8];
   };
   CHECK(largest(Filter::abs) > 1e10);
   CHECK(largest(Filter::bounded_abs) == doctest::Approx(2.0));
@@ -227,7 +230,7 @@ TEST_CASE("strength moves eigenvalues part of the way, 0 not at all") {
   const Eigen::Matrix2d F = 0.4 * Eigen::Matrix2d::Identity();  // twist 2 - 4/0.8 = -3
   const auto smallest = [&](double strength) {
     const auto H = projection::evaluate<2>(energy, F, {Filter::clamp, 0.0, strength}).H;
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(H).eigenvalues()[0];
+    return numerical_eigensystem(H).eigenvalues()[0];
   };
   CHECK(smallest(0.0) == doctest::Approx(-3.0));
   CHECK(smallest(0.5) == doctest::Approx(-1.5));
