@@ -1,9 +1,10 @@
 # Headers of others that most files include, read once for the whole build instead of once per file. An option for builds
 # that are made for their tests: with it a file that forgets an include compiles all the same, so ordinary builds go without.
 
-# Of the standard library what nearly every file takes; <nlohmann/json.hpp> only apps and tests may.
-set(_isostretch_precompiled <Eigen/Dense> <Eigen/SparseCore> <algorithm> <array> <charconv> <cmath> <filesystem> <fstream>
-  <functional> <limits> <map> <memory> <numeric> <optional> <random> <set> <sstream> <string> <string_view> <utility> <vector>)
+# Of the standard library what many files take. <nlohmann/json.hpp> only apps and tests may; <filesystem>, which few libraries
+# need, declares std::quoted, and that hides functions of this name where an argument is a std::string.
+set(_isostretch_precompiled <Eigen/Dense> <Eigen/SparseCore> <algorithm> <array> <charconv> <cmath> <fstream> <functional>
+  <limits> <map> <memory> <numeric> <optional> <random> <set> <sstream> <string> <string_view> <utility> <vector>)
 
 # For every target of this folder and those below; call it when all are there.
 function(isostretch_precompile_headers)
@@ -34,7 +35,7 @@ function(_isostretch_precompile_headers_of target)
     string(APPEND carrier _pic)
   else()
     find_package(nlohmann_json REQUIRED)
-    list(APPEND headers <nlohmann/json.hpp>)
+    list(APPEND headers <filesystem> <nlohmann/json.hpp>)
   endif()
   if("-O0" IN_LIST options)
     string(APPEND carrier _O0)
