@@ -14,10 +14,11 @@ import sys
 
 from check_kernel_symbols import demangled_symbols
 
-# Matrix<scalar, rows, columns, options, ...> of dynamic size whose options lack DontAlign (2), and the storage of such.
+# Matrix<scalar, rows, columns, options, most rows, most columns> of dynamic size whose options lack DontAlign (2), and the
+# storage of such. With limits to its size it takes no memory from the heap (Eigen's stableNorm has one of up to 4096 rows).
 ALIGNED_OWNER = re.compile(
-    r"(?<!\w)Eigen::(PlainObjectBase<Eigen::(Matrix|Array)<[\w ]+, -1, -?\d+, [01],"
-    r"|PlainObjectBase<Eigen::(Matrix|Array)<[\w ]+, \d+, -1, [01],"
+    r"(?<!\w)Eigen::(PlainObjectBase<Eigen::(Matrix|Array)<[\w ]+, -1, -?\d+, [01], (-1, -?\d+|-?\d+, -1)"
+    r"|PlainObjectBase<Eigen::(Matrix|Array)<[\w ]+, \d+, -1, [01], \d+, -1"
     r"|DenseStorage<[\w ]+, -1, -?\d+, -?\d+, [01]>)")
 
 

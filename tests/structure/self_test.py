@@ -94,6 +94,11 @@ class OwnedVectors(unittest.TestCase):
         good = [("W", resize.format(2)), ("W", storage.format(3)), ("T", resize.format(0)),
                 ("W", "isostretch_" + resize.format(0)), ("W", "void use<" + vector.format(0) + " >()")]
         self.assertEqual(check_owned_vectors.faults_in(good), [])
+        limited = "Eigen::PlainObjectBase<Eigen::Matrix<double, -1, 1, 0, 4096, 1> >::resize(long, long)"
+        self.assertEqual(check_owned_vectors.faults_in([("W", limited)]), [])
+        for sizes in ("-1, 3, 0, -1, 3", "3, -1, 0, 3, -1", "-1, -1, 0, -1, -1"):
+            owner = f"Eigen::PlainObjectBase<Eigen::Matrix<double, {sizes}> >::resize(long, long)"
+            self.assertEqual(len(check_owned_vectors.faults_in([("W", owner)])), 1)
 
 
 class KernelSymbols(unittest.TestCase):
