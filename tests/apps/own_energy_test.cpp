@@ -55,6 +55,10 @@ TEST_SUITE("energies of one's own") {
     CHECK(own.energy == doctest::Approx(built.energy).epsilon(1e-10));
     CHECK(own.iterations == built.iterations);
     flatten(scratch, {"--plugin", ISOSTRETCH_TEST_PLUGIN, "--energy", "my_neo_hookean", "--param", "bulk=3"});
+    const Flattened hencky = flatten(scratch, {"--energy", "hencky", "--param", "lambda=0"});
+    const Flattened function =
+        flatten(scratch, {"--plugin", ISOSTRETCH_TEST_PLUGIN, "--energy", "my_hencky"});
+    CHECK(function.energy == doctest::Approx(hencky.energy).epsilon(1e-10));
     const Outcome listed = parameterize({"--plugin", ISOSTRETCH_TEST_PLUGIN, "--list-energies"});
     CHECK(listed.out.find("my_neo_hookean\n    bulk=1  resistance") != std::string::npos);
   }

@@ -27,8 +27,8 @@ std::vector<EnergyEntry>& registry() {
 
 }  // namespace
 
-void detail::require_known(const char* energy, const std::vector<std::string>& known,
-                           const std::map<std::string, double>& given) {
+void require_known_parameters(const char* energy, const std::vector<std::string>& known,
+                              const std::map<std::string, double>& given) {
   for (const auto& [name, value] : given) {
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw Error(std::string("energy '") + energy + "' has no parameter '" + name + "'; it has " +

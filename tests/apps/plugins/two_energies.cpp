@@ -1,4 +1,5 @@
-// A plug-in as a user writes it: symmetric Dirichlet, and an energy with a parameter.
+// A plug-in as a user writes it: symmetric Dirichlet, an energy with a parameter, and a function of
+// stretches.
 #include <isostretch/energies/plugin.hpp>
 
 struct MySymmetricDirichlet {
@@ -30,4 +31,17 @@ struct MyNeoHookean {
   }
 };
 
-ISOSTRETCH_ENERGY_PLUGIN(MySymmetricDirichlet, MyNeoHookean)
+struct MyHencky {
+  static constexpr const char* name = "my_hencky";
+  static constexpr bool of_stretches = true;
+  static constexpr double minimum_determinant = 0.0;
+
+  template <class... T>
+  auto operator()(T... s) const {
+    using isostretch::log;
+    using isostretch::square;
+    return (square(log(s)) + ...);
+  }
+};
+
+ISOSTRETCH_ENERGY_PLUGIN(MySymmetricDirichlet, MyNeoHookean, MyHencky)

@@ -31,11 +31,13 @@ std::vector<std::string> energy_names();
 // parameter, and a value that is not finite, throw Error naming what there is.
 AnyEnergy make_energy(std::string_view name, const std::map<std::string, double>& parameters = {});
 
-namespace detail {
-
 // Throws Error where `given` has a name that is not `known`, or a value that is not finite.
-void require_known(const char* energy, const std::vector<std::string>& known,
-                   const std::map<std::string, double>& given);
+void require_known_parameters(const char* energy, const std::vector<std::string>& known,
+                              const std::map<std::string, double>& given);
+
+// Compiled with the caller's flags, as the energy is.
+inline namespace ISOSTRETCH_ISA {
+namespace detail {
 
 template <class Energy>
 AnyEnergy make(const std::map<std::string, double>& parameters) {
@@ -47,11 +49,12 @@ AnyEnergy make(const std::map<std::string, double>& parameters) {
       if (const auto given = parameters.find(name); given != parameters.end()) value = given->second;
     });
   }
-  require_known(Energy::name, known, parameters);
+  require_known_parameters(Energy::name, known, parameters);
   return AnyEnergy(energy);
 }
 
 }  // namespace detail
+}  // namespace ISOSTRETCH_ISA
 
 template <class Energy>
 EnergyEntry entry_of() {
