@@ -20,7 +20,6 @@ class Derivatives {
  private:
   Node derive(Node expression, Variable by);
   Node of_variable(Variable variable, Variable by);
-  Node of_function(const Operation& operation, Node node, Node inner);
 
   Graph& graph_;
   int dim_;

@@ -12,7 +12,7 @@ namespace isostretch::baselines {
 //
 // Why not the one of Eigen: its steps leave functions in the library whose code depends on the instruction
 // set, of which a program compiled for another may get the wrong copy. Here everything is plain arrays of at
-// most Capacity rows, on which this takes no longer.
+// most Capacity rows, on which this takes no longer. That of linalg is for 2 x 2 and 3 x 3 alone.
 template <int Capacity>
 class SymmetricEigen {
  public:
