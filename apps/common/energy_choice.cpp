@@ -4,6 +4,7 @@
 #include "common/numbers.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/energies/registry.hpp>
 #include <isostretch/expressions/expression.hpp>
 
@@ -33,8 +34,7 @@ std::string energy_table(int dim) {
     table +=
         name + (energy.has_barrier() ? "" : "  (finite under inversion: the result may have flips)") + "\n";
     for (const auto& parameter : energy.parameters())
-      table +=
-          "    " + parameter.name + "=" + exact_text(parameter.value) + "  " + parameter.description + "\n";
+      table += "    " + parameter.name + "=" + to_text(parameter.value) + "  " + parameter.description + "\n";
   }
   return table;
 }

@@ -2,9 +2,9 @@
 
 #include "common/exit_code.hpp"
 #include "common/formatted.hpp"
-#include "common/numbers.hpp"
 #include "common/vtu.hpp"
 
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/mesh/io.hpp>
 
 namespace isostretch::app {
@@ -48,7 +48,7 @@ std::string format_frame(FrameFormat format, const Body& body, const Vector& pos
 std::string pvd_text(const std::vector<std::pair<std::string, double>>& file_and_time) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   for (const auto& [file, time] : file_and_time)
-    text += "<DataSet timestep=\"" + exact_text(time) + "\" file=\"" + file + "\"/>\n";
+    text += "<DataSet timestep=\"" + to_text(time) + "\" file=\"" + file + "\"/>\n";
   return text + "</Collection>\n</VTKFile>\n";
 }
 

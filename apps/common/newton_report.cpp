@@ -1,6 +1,6 @@
 #include "common/newton_report.hpp"
 
-#include "common/numbers.hpp"
+#include <isostretch/core/to_text.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -18,7 +18,7 @@ std::string trace_line(const newton::Iteration& row) {
   std::string text = std::to_string(row.iteration);
   for (const double value :
        {row.seconds, row.energy, row.gradient_inf_norm, row.step, row.decrement, row.filter_strength})
-    text.append(1, ',').append(exact_text(value));
+    text.append(1, ',').append(to_text(value));
   text.append(1, ',').append(std::to_string(row.points_filtered));
   text.append(1, ',').append(std::to_string(row.factorizations));
   return text.append(1, ',').append(std::to_string(row.evaluations));

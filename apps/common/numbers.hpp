@@ -11,9 +11,6 @@ namespace isostretch::app {
 std::optional<double> finite_number(std::string_view text);
 std::optional<int> whole_number(std::string_view text);
 
-// Shortest text that reads back to the same bits; "nan", "inf".
-std::string exact_text(double value);
-
 std::vector<std::string> split(std::string_view text, char separator);
 
 }  // namespace isostretch::app

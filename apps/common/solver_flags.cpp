@@ -1,9 +1,9 @@
 #include "common/solver_flags.hpp"
 
 #include "common/choice_names.hpp"
-#include "common/numbers.hpp"
 #include "common/validators.hpp"
 
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/sparse/solver.hpp>
 
 #include <CLI/CLI.hpp>
@@ -55,7 +55,7 @@ void SolverFlags::declare(CLI::App& cli, const std::string& unit) {
                  "Lengthen steps that gain more than promised up to this; 1: never")
       ->check(CLI::Range(1.0, 1e6))
       ->type_name("X")
-      ->default_str(exact_text(defaults.max_expansion));
+      ->default_str(to_text(defaults.max_expansion));
   cli.add_option("--time-limit", time_limit_, "Stop after so many seconds; 0: no limit")
       ->check(not_negative())
       ->type_name("SECONDS");
@@ -71,7 +71,7 @@ void SolverFlags::declare(CLI::App& cli, const std::string& unit) {
                  "Of iterative solvers: relative residual at first; 0: always full accuracy")
       ->check(CLI::Range(0.0, 0.99))
       ->type_name("X")
-      ->default_str(exact_text(defaults.largest_forcing));
+      ->default_str(to_text(defaults.largest_forcing));
 }
 
 void SolverFlags::apply(newton::Options& options) const {

@@ -11,6 +11,7 @@
 
 #include <isostretch/baselines/distortion.hpp>
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/to_text.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -103,7 +104,7 @@ void CommandLine::declare_methods(CLI::App& cli) {
                  "A run ends at |gradient|_inf <= this, with a rest of area or volume 1")
       ->check(not_negative())
       ->type_name("X")
-      ->default_str(exact_text(defaults.gradient_tolerance));
+      ->default_str(to_text(defaults.gradient_tolerance));
   cli.add_option("--max-iterations", max_iterations_, "Of a run")
       ->check(whole_number_between(0, 1'000'000'000))
       ->type_name("N")
@@ -111,7 +112,7 @@ void CommandLine::declare_methods(CLI::App& cli) {
   cli.add_option("--time-limit", time_limit_, "Seconds for a run; 0: no limit")
       ->check(not_negative())
       ->type_name("SECONDS")
-      ->default_str(exact_text(defaults.time_limit));
+      ->default_str(to_text(defaults.time_limit));
   cli.add_option("--memory-limit", memory_limit_,
                  "Megabytes for the process of a run, at least 256; 0: no limit")
       ->check(not_negative())

@@ -2,9 +2,10 @@
 
 #include "common/machine.hpp"
 #include "common/number_table.hpp"
-#include "common/numbers.hpp"
 #include "common/program_run.hpp"
 #include "common/threads.hpp"
+
+#include <isostretch/core/to_text.hpp>
 
 #include <cmath>
 #include <vector>
@@ -36,11 +37,11 @@ std::vector<std::string> arguments(const Runs& runs, const std::string& problem,
                                  "--out",
                                  folder.string(),
                                  "--grad-tol",
-                                 exact_text(limits.gradient_tolerance),
+                                 to_text(limits.gradient_tolerance),
                                  "--max-iterations",
                                  std::to_string(limits.max_iterations),
                                  "--time-limit",
-                                 exact_text(limits.time_limit)};
+                                 to_text(limits.time_limit)};
   if (runs.threads > 0) words.insert(words.end(), {"--threads", std::to_string(runs.threads)});
   for (const std::string& plugin : runs.plugins)
     words.insert(words.end(), {"--plugin", fs::absolute(plugin).string()});
@@ -63,7 +64,7 @@ void read_summary(const ProgramResult& result, Run& run) {
 Run made(const Runs& runs, ProgramRun program) {
   // The environment may choose the number of threads and more, and a folder may come from another machine.
   program.identity += "\nthreads " + std::to_string(thread_count()) + "\nmegabytes " +
-                      exact_text(program.memory_limit) + "\n" + machine_json().dump();
+                      to_text(program.memory_limit) + "\n" + machine_json().dump();
   for (const std::string& plugin : runs.plugins) program.identity += "\nplugin " + file_stamp(plugin);
   Run run;
   run.folder = fs::relative(program.folder, runs.out).string();
@@ -92,7 +93,7 @@ Run Runs::polished(const std::string& problem, const std::string& method, const 
   program.arguments.insert(program.arguments.end(),
                            {"--from", (out / best.folder / "positions.bin").string()});
   // Another run in the same folder may end elsewhere.
-  program.identity += "\nfrom energy " + exact_text(best.energy());
+  program.identity += "\nfrom energy " + to_text(best.energy());
   return made(*this, std::move(program));
 }
 

@@ -1,7 +1,8 @@
 #include "tables.hpp"
 
-#include "common/numbers.hpp"
 #include "verdicts.hpp"
+
+#include <isostretch/core/to_text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +98,7 @@ Json as_object(const Cells& cells) {
 // Texts in quotes where they need them.
 std::string csv_cell(const Json& value) {
   if (value.is_null()) return "";
-  if (value.is_number_float()) return exact_text(value.get<double>());
+  if (value.is_number_float()) return to_text(value.get<double>());
   if (!value.is_string()) return value.dump();
   std::string text = value.get<std::string>();
   if (text.find_first_of(",\"\n") == std::string::npos) return text;

@@ -1,8 +1,8 @@
 #include "wording.hpp"
 
 #include "common/formatted.hpp"
-#include "common/numbers.hpp"
 
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/expressions/expression.hpp>
 
 #include <cmath>
@@ -92,7 +92,7 @@ std::string stretches_text(const Spectrum& s) {
 Facts energy_facts(const Findings& f) {
   std::string parameters, dimensions;
   for (const auto& parameter : f.energy.parameters())
-    parameters += (parameters.empty() ? "" : ", ") + parameter.name + " = " + exact_text(parameter.value);
+    parameters += (parameters.empty() ? "" : ", ") + parameter.name + " = " + to_text(parameter.value);
   for (const int dim : {2, 3})
     if (f.energy.supports(dim)) dimensions += (dimensions.empty() ? "" : " and ") + formatted("%dD", dim);
   const double bound = f.energy.determinant_bound();

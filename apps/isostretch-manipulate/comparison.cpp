@@ -3,10 +3,10 @@
 #include "common/figures/comparison_plot.hpp"
 #include "common/formatted.hpp"
 #include "common/html.hpp"
-#include "common/numbers.hpp"
 #include "common/report_style.hpp"
 #include "common/threads.hpp"
 
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/core/version.hpp>
 
 #include <algorithm>
@@ -117,7 +117,7 @@ std::string comparison_table(const Comparison& comparison) {
     text.append(c.info.name).append(1, ',').append(kind_name(c)).append(1, ',').append(c.status);
     for (const Quantity& quantity : quantities()) {
       const double value = quantity.of(comparison, c);
-      text.append(1, ',').append(std::isfinite(value) ? exact_text(value) : "");
+      text.append(1, ',').append(std::isfinite(value) ? to_text(value) : "");
     }
     text += '\n';
   }

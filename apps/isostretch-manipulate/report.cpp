@@ -1,12 +1,12 @@
 #include "report.hpp"
 
 #include "common/formatted.hpp"
-#include "common/numbers.hpp"
 #include "common/sequence_report.hpp"
 #include "common/threads.hpp"
 #include "stretch.hpp"
 
 #include <isostretch/core/isa.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/core/version.hpp>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::string trace_rows(int frame, const sdp_penalty::Summary& summary) {
     text.append(std::to_string(frame)).append(1, ',').append(std::to_string(row.iteration));
     for (const double value : {row.seconds, row.energy, row.lower_bound, relative_gap(row),
                                row.min_eigenvalue, row.complementarity, row.penalty_factor, row.step})
-      text.append(1, ',').append(exact_text(value));
+      text.append(1, ',').append(to_text(value));
     text.append(1, ',').append(std::to_string(row.inverted));
     text.append(1, ',').append(std::to_string(row.infeasible)).append(1, '\n');
   }
@@ -44,7 +44,7 @@ std::string rival_rows(int frame, const baselines::Result& rival) {
     const baselines::Measures& m = point.measures;
     text.append(std::to_string(frame)).append(1, ',').append(std::to_string(point.iteration));
     for (const double value : {point.seconds, m.energy, m.min_eigenvalue, m.min_determinant, m.distortion})
-      text.append(1, ',').append(exact_text(value));
+      text.append(1, ',').append(to_text(value));
     text.append(1, ',').append(std::to_string(m.inverted));
     text.append(1, ',').append(std::to_string(m.infeasible)).append(1, '\n');
   }

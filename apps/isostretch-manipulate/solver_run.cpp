@@ -2,8 +2,9 @@
 
 #include "common/formatted.hpp"
 #include "common/number_table.hpp"
-#include "common/numbers.hpp"
 #include "common/program_run.hpp"
+
+#include <isostretch/core/to_text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ std::vector<std::string> SolverRuns::arguments(const Run& run) const {
                                  "--solver",
                                  run.solver,
                                  "--gap",
-                                 exact_text(run.gap),
+                                 to_text(run.gap),
                                  "--out",
                                  run.folder.string(),
                                  "--weights-cache",
@@ -55,9 +56,9 @@ std::vector<std::string> SolverRuns::arguments(const Run& run) const {
                                  "--frames",
                                  formatted("%d:%d", frame, frame),
                                  "--time-limit",
-                                 exact_text(run.time_limit),
+                                 to_text(run.time_limit),
                                  "--memory-limit",
-                                 exact_text(run.memory_limit)};
+                                 to_text(run.memory_limit)};
   if (run.max_iterations > 0)
     words.insert(words.end(), {"--max-iterations", std::to_string(run.max_iterations)});
   if (threads > 0) words.insert(words.end(), {"--threads", std::to_string(threads)});

@@ -38,7 +38,7 @@ std::vector<double> least_eigenvalues(const Body& body, const std::vector<double
       for (std::size_t i = 0; i < dim; ++i)
         for (std::size_t j = 0; j < dim; ++j) {
           double sum = 0;
-          for (std::size_t k = 0; k < dim; ++k) sum += R[k * dim + i] * F[k][j] + R[k * dim + j] * F[k][i];
+          for (std::size_t k = 0; k < dim; ++k) sum += R[k + dim * i] * F[k][j] + R[k + dim * j] * F[k][i];
           S[(i + dim * j) * chunk + n] = 0.5 * sum;
         }
     }

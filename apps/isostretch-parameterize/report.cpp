@@ -2,13 +2,13 @@
 
 #include "choice_names.hpp"
 #include "common/newton_report.hpp"
-#include "common/numbers.hpp"
 #include "common/threads.hpp"
 #include "distortion_statistics.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <isostretch/core/isa.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/core/version.hpp>
 #include <isostretch/mesh/seams.hpp>
 
@@ -140,8 +140,8 @@ std::string verdict(const Result& r) {
   if (!summary.converged())
     parts.push_back(std::string(newton::status_name(summary.status)) + ": " + summary.message);
   if (missed_bound(r))
-    parts.push_back("the largest distortion is " + exact_text(r.solution.worst_distortion) + ", not " +
-                    exact_text(r.options.max_distortion) + ", after " + std::to_string(r.solution.cuts) +
+    parts.push_back("the largest distortion is " + to_text(r.solution.worst_distortion) + ", not " +
+                    to_text(r.options.max_distortion) + ", after " + std::to_string(r.solution.cuts) +
                     " cuts");
   if (!r.layout.flipped.empty())
     parts.push_back(std::to_string(r.layout.flipped.size()) +

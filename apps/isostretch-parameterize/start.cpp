@@ -5,6 +5,7 @@
 #include "common/numbers.hpp"
 #include "common/terminal.hpp"
 
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/mesh/boundary.hpp>
 #include <isostretch/mesh/components.hpp>
 #include <isostretch/mesh/orientation.hpp>
@@ -93,7 +94,7 @@ std::vector<int> corners_of(const Domain& domain, const Chart& chart, const Opti
 // Said before the solve, not after it: equal squares need this much at least.
 void require_room(const Options& options, std::size_t charts) {
   if (options.packs(charts) && options.margin * std::sqrt(static_cast<double>(charts)) >= 0.9)
-    throw Failure(ExitCode::command_line, "--margin: " + exact_text(options.margin) +
+    throw Failure(ExitCode::command_line, "--margin: " + to_text(options.margin) +
                                               " of the square leaves no room for " + std::to_string(charts) +
                                               " charts");
 }

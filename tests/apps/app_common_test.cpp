@@ -8,6 +8,8 @@
 #include "common/output_folder.hpp"
 #include "scratch.hpp"
 
+#include <isostretch/core/to_text.hpp>
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -28,7 +30,7 @@ TEST_CASE("numbers are taken whole or not at all") {
   CHECK(whole_number("12") == 12);
   for (const char* text : {"", "1.0", "99999999999", "1e3"}) CHECK_MESSAGE(!whole_number(text), text);
   CHECK(split("a,,b", ',') == std::vector<std::string>{"a", "", "b"});
-  CHECK(std::stod(exact_text(0.1 + 0.2)) == 0.1 + 0.2);
+  CHECK(std::stod(to_text(0.1 + 0.2)) == 0.1 + 0.2);
 }
 
 TEST_CASE("axes have a few round ticks inside their range") {

@@ -40,8 +40,9 @@ inline assembly::Elements elements_of(const nlohmann::json& j) {
 inline sdp_penalty::Problem problem_of(const nlohmann::json& j) {
   sdp_penalty::Problem problem;
   problem.elements = elements_of(j);
+  const auto dim = static_cast<std::size_t>(problem.dim());
   for (const auto& R : j["ex_rotations_rowmajor"])
-    for (const double entry : R) problem.rotations.push_back(entry);
+    for (std::size_t k = 0; k < R.size(); ++k) problem.rotations.push_back(R[k % dim * dim + k / dim]);
   problem.weights = j["element_weights"].is_null() ? sdp_penalty::unit_weights(problem.elements)
                                                    : j["element_weights"].get<std::vector<double>>();
   const auto ids = j["target_vertex_ids"].get<std::vector<int>>();

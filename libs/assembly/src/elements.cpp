@@ -1,5 +1,6 @@
 #include <isostretch/assembly/elements.hpp>
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/to_text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -84,7 +85,7 @@ void Elements::validate() const {
   for (std::size_t point = 0; point < weights.size(); ++point) {
     const std::string name = element_name(point / static_cast<std::size_t>(points_per_element));
     if (!(weights[point] > 0) || !std::isfinite(weights[point]))
-      throw Error(name + ": weight " + std::to_string(weights[point]) + " is not positive and finite");
+      throw Error(name + ": weight " + to_text(weights[point]) + " is not positive and finite");
     require_balanced(*this, point, name);
   }
 }

@@ -3,14 +3,18 @@
 #include <isostretch/assembly/energy_assembler.hpp>
 #include <isostretch/core/arena.hpp>
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/to_text.hpp>
 
 #include <omp.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <limits>
+#include <mutex>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -82,7 +86,7 @@ EnergyAssembler::EnergyAssembler(const Elements& elements, energies::AnyEnergy e
 
 void EnergyAssembler::set_scale(double scale) {
   if (!(scale > 0) || !std::isfinite(scale))
-    throw Error("energies are scaled by positive numbers, not by " + std::to_string(scale));
+    throw Error("energies are scaled by positive numbers, not by " + to_text(scale));
   scale_ = scale;
 }
 
@@ -159,31 +163,66 @@ void EnergyAssembler::bind(const HessianPattern& pattern) {
   for (const auto& [block, contribution] : found) contributions_[next[block]++] = contribution;
 }
 
+namespace {
+
+// Exceptions must not leave a parallel region: the one of the smallest chunk is kept until it is over.
+class FirstException {
+ public:
+  template <class Work>
+  void watch(int chunk, const Work& work) noexcept {
+    try {
+      work();
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (exception_ && chunk >= chunk_) return;
+      exception_ = std::current_exception();
+      chunk_ = chunk;
+    }
+  }
+  void rethrow() const {
+    if (exception_) std::rethrow_exception(exception_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::exception_ptr exception_;
+  int chunk_ = 0;
+};
+
+}  // namespace
+
 // body(kernels, workspace, chunk, point, element chunk) for every quadrature point of every chunk, points of
 // one chunk in order on one thread.
 template <class Body>
 void EnergyAssembler::for_each_chunk(const Body& body) const {
   const ElementKernels& kernels = element_kernels(dim_, nodes_);
-  const std::size_t lanes = size(chunk_);
+  FirstException exception;
 #pragma omp parallel
   {
-    Workspace work(dim_, nodes_);
+    std::optional<Workspace> work;
+    exception.watch(-1, [&] { work.emplace(dim_, nodes_); });
 #pragma omp for schedule(dynamic, 4)
-    for (int c = 0; c < chunk_count_; ++c) {
-      ElementChunk chunk{};
-      chunk.real = std::min(chunk_, element_count_ - c * chunk_);
-      chunk.count = projection::padded_count(chunk.real);
-      chunk.stride = lanes;
-      chunk.scale = scale_;
-      chunk.nodes = chunk_nodes_.data() + size(c * nodes_) * lanes;
-      work.points.count = work.points.stretch.count = chunk.count;
-      for (int p = 0; p < points_; ++p) {
-        const std::size_t point = size(c) * size(points_) + size(p);
-        chunk.gradients = chunk_gradients_.data() + point * size(nodes_ * dim_) * lanes;
-        chunk.weights = chunk_weights_.data() + point * lanes;
-        body(kernels, work, c, p, chunk);
-      }
-    }
+    for (int c = 0; c < chunk_count_; ++c)
+      if (work) exception.watch(c, [&] { for_each_point(kernels, *work, c, body); });
+  }
+  exception.rethrow();
+}
+
+template <class Kernels, class Work, class Body>
+void EnergyAssembler::for_each_point(const Kernels& kernels, Work& work, int c, const Body& body) const {
+  const std::size_t lanes = size(chunk_);
+  ElementChunk chunk{};
+  chunk.real = std::min(chunk_, element_count_ - c * chunk_);
+  chunk.count = projection::padded_count(chunk.real);
+  chunk.stride = lanes;
+  chunk.scale = scale_;
+  chunk.nodes = chunk_nodes_.data() + size(c * nodes_) * lanes;
+  work.points.count = work.points.stretch.count = chunk.count;
+  for (int p = 0; p < points_; ++p) {
+    const std::size_t point = size(c) * size(points_) + size(p);
+    chunk.gradients = chunk_gradients_.data() + point * size(nodes_ * dim_) * lanes;
+    chunk.weights = chunk_weights_.data() + point * lanes;
+    body(kernels, work, c, p, chunk);
   }
 }
 
@@ -290,6 +329,19 @@ std::size_t EnergyAssembler::hessian_entries_per_element() const {
 double* EnergyAssembler::element_hessians() {
   hessian_slots_.resize(size(element_count_) * hessian_entries_per_element());
   return hessian_slots_.data();
+}
+
+int EnergyAssembler::element_not_finite() const {
+  const auto first_fault = [](const std::vector<double>& slots, std::size_t per_element) {
+    const auto fault =
+        std::find_if_not(slots.begin(), slots.end(), [](double v) { return std::isfinite(v); });
+    return static_cast<std::size_t>(fault - slots.begin()) / per_element;
+  };
+  const std::size_t first =
+      std::min(first_fault(gradient_slots_, size(nodes_ * dim_)),
+               hessian_slots_.empty() ? size(element_count_)
+                                      : first_fault(hessian_slots_, hessian_entries_per_element()));
+  return first < original_.size() ? original_[first] : -1;
 }
 
 void EnergyAssembler::add_hessian(double* values) const {

@@ -3,6 +3,7 @@
 
 #include <isostretch/atlas/pack.hpp>
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/mesh/orientation.hpp>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ double place(std::vector<Rectangle>& rectangles, double margin) {
     }
     gap = margin * side * 1.05;
   }
-  throw Error("pack: a margin of " + std::to_string(margin) + " of the square leaves no room for " +
+  throw Error("pack: a margin of " + to_text(margin) + " of the square leaves no room for " +
               std::to_string(rectangles.size()) + " charts");
 }
 

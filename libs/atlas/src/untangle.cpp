@@ -2,6 +2,8 @@
 
 #include <isostretch/assembly/energy_assembler.hpp>
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/log.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/energies/any_energy.hpp>
 #include <isostretch/newton/minimize.hpp>
 
@@ -69,6 +71,11 @@ class Untangler {
     ++result_.rounds;
     result_.iterations += summary.iterations;
     measure();
+    log(LogLevel::debug, [&] {
+      return "atlas: untangling, round " + std::to_string(result_.rounds) + ": epsilon " + to_text(epsilon_) +
+             ", smallest determinant " + to_text(result_.smallest_determinant) + " at element " +
+             std::to_string(result_.worst_element);
+    });
     if (result_.untangled) return true;
     if (summary.iterations == 0 && ++rounds_without_step_ > 10) return false;
     if (summary.iterations > 0) rounds_without_step_ = 0;

@@ -22,7 +22,8 @@ using Phase = Recorder::Phase;
 constexpr double room = 1e-3;
 constexpr int most_iterations = 20'000;
 
-// R (R^T F with the eigenvalues of its symmetric part at least `least`), [element][dim * dim] row by row.
+// R (R^T F with the eigenvalues of its symmetric part at least `least`), [element][dim * dim] column by
+// column.
 std::vector<double> projected(const sdp_penalty::Problem& problem, const Vector& x, double least) {
   const auto count = static_cast<std::size_t>(problem.element_count()),
              dim = static_cast<std::size_t>(problem.dim()), entries = dim * dim;
@@ -35,13 +36,13 @@ std::vector<double> projected(const sdp_penalty::Problem& problem, const Vector&
     const double* R = problem.rotations.data() + e * entries;
     double* M = result.data() + e * entries;
     for (std::size_t r = 0; r < dim; ++r)
-      for (std::size_t c = 0; c < dim; ++c) M[r * dim + c] = F[at(r, c, e)];
+      for (std::size_t c = 0; c < dim; ++c) M[r + dim * c] = F[at(r, c, e)];
     for (std::size_t k = 0; k < dim; ++k) {
       const double lift = std::max(0.0, least - lambda[k * count + e]);
       for (std::size_t r = 0; lift > 0 && r < dim; ++r) {
         double Rq = 0;
-        for (std::size_t i = 0; i < dim; ++i) Rq += R[r * dim + i] * Q[at(i, k, e)];
-        for (std::size_t c = 0; c < dim; ++c) M[r * dim + c] += lift * Rq * Q[at(c, k, e)];
+        for (std::size_t i = 0; i < dim; ++i) Rq += R[r + dim * i] * Q[at(i, k, e)];
+        for (std::size_t c = 0; c < dim; ++c) M[r + dim * c] += lift * Rq * Q[at(c, k, e)];
       }
     }
   }

@@ -14,7 +14,7 @@ struct Corners {
         rotation(problem.rotations.data() + element * dim * dim) {}
 
   double g(int a, int c) const { return gradient[a * dim + c]; }
-  double R(int r, int c) const { return rotation[r * dim + c]; }
+  double R(int r, int c) const { return rotation[r + dim * c]; }
   int dof(int a, int r) const { return node[a] * dim + r; }
   int dofs() const { return dim * (dim + 1); }
 

@@ -42,8 +42,8 @@ std::vector<double> constraint_matrices(const sdp_penalty::Problem& problem, con
     for (std::size_t i = 0; i < dim; ++i)
       for (std::size_t j = 0; j < dim; ++j)
         for (std::size_t k = 0; k < dim; ++k)
-          S[(i + dim * j) * count + e] += 0.5 * (R[k * dim + i] * F[(k + dim * j) * count + e] +
-                                                 R[k * dim + j] * F[(k + dim * i) * count + e]);
+          S[(i + dim * j) * count + e] += 0.5 * (R[k + dim * i] * F[(k + dim * j) * count + e] +
+                                                 R[k + dim * j] * F[(k + dim * i) * count + e]);
   }
   return S;
 }

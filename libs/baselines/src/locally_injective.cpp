@@ -6,6 +6,7 @@
 #include "formulation.hpp"
 #include "registry.hpp"
 
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/energies/builtin/lim_barrier.hpp>
 
 namespace isostretch::baselines {
@@ -37,7 +38,7 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
     const newton::Summary summary = minimize(objective, x, newton, options, recorder);
     if (recorder.ended()) break;
     if (newton::failed(summary.status)) {
-      recorder.end(Status::stalled, "barrier weight " + std::to_string(weight) + ": " + summary.message);
+      recorder.end(Status::stalled, "barrier weight " + to_text(weight) + ": " + summary.message);
     } else if (barrier.value(x).value <= options.tolerance * recorder.last().energy) {
       recorder.end(Status::converged, "the barrier is worth less than the tolerance");
     }

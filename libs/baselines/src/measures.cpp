@@ -56,7 +56,7 @@ double distortion(const sdp_penalty::Problem& problem, const Vector& x, const st
   for (std::size_t e = 0; e < count; ++e)
     for (std::size_t r = 0; r < dim; ++r)
       for (std::size_t c = 0; c < dim; ++c) {
-        const double difference = F[(r + dim * c) * count + e] - Q[(e * dim + r) * dim + c];
+        const double difference = F[(r + dim * c) * count + e] - Q[(e * dim + c) * dim + r];
         sum += problem.weights[e] * difference * difference;
       }
   return sum;

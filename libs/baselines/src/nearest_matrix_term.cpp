@@ -31,7 +31,7 @@ struct NearestMatrixTerm::Element {
   // Entry r of the gradient of tr(R^T F) by the position of corner a.
   double trace_gradient(std::size_t a, std::size_t r) const {
     double sum = 0;
-    for (std::size_t c = 0; c < dim; ++c) sum += R[r * dim + c] * gradients[a * dim + c];
+    for (std::size_t c = 0; c < dim; ++c) sum += R[r + dim * c] * gradients[a * dim + c];
     return sum;
   }
 
@@ -42,6 +42,11 @@ struct NearestMatrixTerm::Element {
 
 NearestMatrixTerm::NearestMatrixTerm(const sdp_penalty::Problem& problem)
     : problem_(problem), matrices_(problem.rotations) {}
+
+void NearestMatrixTerm::require_fits(int dim, int node_count) const {
+  newton::require_fitting("a term of nearest matrices", problem_.dim(), problem_.node_count(), dim,
+                          node_count);
+}
 
 void NearestMatrixTerm::add_to(assembly::PatternBuilder& builder) const {
   const int corners = problem_.elements.nodes_per_element;
@@ -59,8 +64,8 @@ double NearestMatrixTerm::accumulate(const Vector& x, Vector* gradient) const {
     double trace = -static_cast<double>(dim);
     for (std::size_t r = 0; r < dim; ++r)
       for (std::size_t c = 0; c < dim; ++c) {
-        trace += element.R[r * dim + c] * P[r][c];
-        P[r][c] -= M[r * dim + c];
+        trace += element.R[r + dim * c] * P[r][c];
+        P[r][c] -= M[r + dim * c];
         sum += w * P[r][c] * P[r][c];
       }
     const double kappa = problem_.incompressibility;

@@ -15,9 +15,10 @@ class NearestMatrixTerm final : public newton::Term {
  public:
   explicit NearestMatrixTerm(const sdp_penalty::Problem& problem);
 
-  // [element][dim * dim] row by row.
+  // [element][dim * dim] column by column.
   void set_matrices(std::vector<double> matrices) { matrices_ = std::move(matrices); }
 
+  void require_fits(int dim, int node_count) const override;
   void add_to(assembly::PatternBuilder& builder) const override;
   void bind(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
   newton::Evaluation value(const Vector& x) override;

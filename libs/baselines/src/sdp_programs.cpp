@@ -32,7 +32,7 @@ struct Program {
   std::vector<std::string> (*arguments)(const Options&);
   // Name and text of the file that it has its parameters from, if any.
   const char* parameter_file;
-  std::string (*parameters)(const Options&);
+  std::string (*parameters)(const Options&, double largest_optimum);
   SdpAnswer (*read)(const std::string& output, const std::string& answer);
 };
 
@@ -49,7 +49,7 @@ int iterations_or(const Options& options, int own) {
 
 // The tolerance is about the gap. Positions that are feasible just to that would look better than the
 // optimum: feasibility is never asked for less strictly than each program does by itself.
-std::string csdp_parameters(const Options& options) {
+std::string csdp_parameters(const Options& options, double) {
   const std::string feasibility = number(std::min(options.tolerance, 1e-8));
   return "axtol=" + feasibility + "\natytol=" + feasibility + "\nobjtol=" + number(options.tolerance) +
          "\npinftol=1.0e8\ndinftol=1.0e8\nmaxiter=" + std::to_string(iterations_or(options, 100)) +
@@ -57,11 +57,14 @@ std::string csdp_parameters(const Options& options) {
          "\naffine=0\nprintlevel=1\nperturbobj=1\nfastmode=0\n";
 }
 
-// One value a line in an order that SDPA knows. By itself it prints x to four digits.
-std::string sdpa_parameters(const Options& options) {
+// One value a line in an order that SDPA knows. By itself it prints x to four digits. It takes an optimum
+// beyond its two bounds for one of a problem that is unbounded or infeasible, and finds infeasible ones no
+// other way.
+std::string sdpa_parameters(const Options& options, double largest_optimum) {
+  const std::string bound = number(std::max(1e5, largest_optimum));
   return std::to_string(iterations_or(options, 100)) + " maxIteration\n" + number(options.tolerance) +
-         " epsilonStar\n1.0E2 lambdaStar\n2.0 omegaStar\n-1.0E5 lowerBound\n1.0E5 upperBound\n0.1 betaStar\n"
-         "0.2 betaBar\n0.9 gammaStar\n" +
+         " epsilonStar\n1.0E2 lambdaStar\n2.0 omegaStar\n-" + bound + " lowerBound\n" + bound +
+         " upperBound\n0.1 betaStar\n0.2 betaBar\n0.9 gammaStar\n" +
          number(std::min(options.tolerance, 1e-7)) +
          " epsilonDash\n%+.16e xPrint\nNOPRINT XPrint\nNOPRINT YPrint\n%+.16e infPrint\n";
 }
@@ -169,11 +172,14 @@ Vector read_answer(const Program& program, const SemidefiniteProgram& problem, c
 Vector solve_with(const Program& program, const Instance& instance, const Options& options,
                   Recorder& recorder) {
   const TemporaryFolder folder(options.temporary_folder);
-  const SemidefiniteProgram problem(instance.problem);
+  const auto units = SemidefiniteProgram::units_of(instance.problem, instance.rest);
+  const SemidefiniteProgram problem(instance.problem, units);
   write_file(folder.path() / problem_file, [&](std::ostream& out) { problem.write(out); });
+  // Feasible positions are hardly ever ten times worse than the rest shape.
+  const double largest_optimum = 10 * sdp_penalty::energy(instance.problem, instance.rest) / units.energy;
   if (program.parameter_file)
     write_file(folder.path() / program.parameter_file,
-               [&](std::ostream& out) { out << program.parameters(options); });
+               [&](std::ostream& out) { out << program.parameters(options, largest_optimum); });
 
   recorder.begin(Phase::solving);
   const ProcessResult process = run_program(program, folder.path(), options, recorder);

@@ -24,7 +24,22 @@ void append(std::string& line, double value) {
 
 }  // namespace
 
-SemidefiniteProgram::SemidefiniteProgram(const sdp_penalty::Problem& problem) {
+SemidefiniteProgram::Units SemidefiniteProgram::units_of(const sdp_penalty::Problem& problem,
+                                                         const Vector& x) {
+  // Accuracy is asked for relative to 1 + the optimum, so that energies are not scaled up to 1 at most, and
+  // lengths not at all where they are moderate.
+  constexpr double moderate = 1e3, largest_energy = 1e5;
+  double extent = x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0;
+  for (const sdp_penalty::Target& target : problem.targets)
+    for (const double coordinate : target.position) extent = std::max(extent, std::abs(coordinate));
+  Units units;
+  if (extent > 0 && (extent > moderate || extent < 1 / moderate)) units.length = extent;
+  units.energy = std::max(1.0, sdp_penalty::energy(problem, x) / largest_energy);
+  return units;
+}
+
+SemidefiniteProgram::SemidefiniteProgram(const sdp_penalty::Problem& problem, const Units& units)
+    : units_(units) {
   number_unknowns(problem);
   for (int e = 0; e < problem.element_count(); ++e) {
     add_constraint(problem, e);
@@ -90,7 +105,7 @@ void SemidefiniteProgram::add_constant(int block, int row, int column, double va
 void SemidefiniteProgram::add_term(int block, int row, int column, int dof, double factor) {
   const int unknown = unknown_of_dof_[static_cast<std::size_t>(dof)];
   if (unknown < 0) return add_constant(block, row, column, factor * held_[static_cast<std::size_t>(dof)]);
-  entries_.push_back({unknown, block, row, column, factor});
+  entries_.push_back({unknown, block, row, column, factor * units_.length});
 }
 
 void SemidefiniteProgram::add_constraint(const sdp_penalty::Problem& problem, int element) {
@@ -108,7 +123,7 @@ void SemidefiniteProgram::add_constraint(const sdp_penalty::Problem& problem, in
 void SemidefiniteProgram::add_elastic_term(const sdp_penalty::Problem& problem, int element) {
   const Corners corners(problem, element);
   const int dim = corners.dim, last = dim * dim, block = add_epigraph_block(last);
-  const double root = std::sqrt(problem.weights[static_cast<std::size_t>(element)]);
+  const double root = std::sqrt(problem.weights[static_cast<std::size_t>(element)] / units_.energy);
   for (int r = 0; r < dim; ++r)
     for (int c = 0; c < dim; ++c) {
       add_constant(block, r * dim + c, last, -root * corners.R(r, c));
@@ -120,7 +135,7 @@ void SemidefiniteProgram::add_elastic_term(const sdp_penalty::Problem& problem, 
 void SemidefiniteProgram::add_volume_term(const sdp_penalty::Problem& problem, int element) {
   const Corners corners(problem, element);
   const int dim = corners.dim, block = add_epigraph_block(1);
-  const double root = std::sqrt(problem.incompressibility / 2);
+  const double root = std::sqrt(problem.incompressibility / 2 / units_.energy);
   add_constant(block, 0, 1, -root * dim);
   for (int a = 0; a <= dim; ++a)
     for (int r = 0; r < dim; ++r)
@@ -139,7 +154,7 @@ void SemidefiniteProgram::add_stretch_bound(const sdp_penalty::Problem& problem,
 
 void SemidefiniteProgram::add_target(const sdp_penalty::Problem& problem, const sdp_penalty::Target& target) {
   const int dim = problem.dim(), block = add_epigraph_block(dim);
-  const double root = std::sqrt(problem.alpha);
+  const double root = std::sqrt(problem.alpha / units_.energy);
   for (int r = 0; r < dim; ++r) {
     add_constant(block, r, dim, -root * target.position[static_cast<std::size_t>(r)]);
     add_term(block, r, dim, target.node * dim + r, root);
@@ -166,7 +181,8 @@ Vector SemidefiniteProgram::positions(const std::vector<double>& v) const {
   Vector x(static_cast<Eigen::Index>(unknown_of_dof_.size()));
   for (std::size_t dof = 0; dof < unknown_of_dof_.size(); ++dof) {
     const int unknown = unknown_of_dof_[dof];
-    x[static_cast<Eigen::Index>(dof)] = unknown < 0 ? held_[dof] : v[static_cast<std::size_t>(unknown)];
+    x[static_cast<Eigen::Index>(dof)] =
+        unknown < 0 ? held_[dof] : units_.length * v[static_cast<std::size_t>(unknown)];
   }
   return x;
 }

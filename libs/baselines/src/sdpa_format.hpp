@@ -25,9 +25,22 @@ namespace isostretch::baselines {
 // Factors stand inside the blocks: as costs they spread over many orders of magnitude, and programs end
 // without an answer. One epigraph a term keeps all blocks small. Hard targets are put in for their entries,
 // which become part of A_0.
+//
+// x is in units of `length` and the epigraph variables are in units of `energy`: programs bound variables and
+// optima by constants (SDPA 1e5 for the optimum, DSDP 1e7 for every variable), and judge infeasibility by
+// others.
 class SemidefiniteProgram {
  public:
-  explicit SemidefiniteProgram(const sdp_penalty::Problem& problem);
+  struct Units {
+    double length = 1, energy = 1;
+  };
+
+  explicit SemidefiniteProgram(const sdp_penalty::Problem& problem) : SemidefiniteProgram(problem, Units{}) {}
+  SemidefiniteProgram(const sdp_penalty::Problem& problem, const Units& units);
+
+  /// Returns units in which coordinates are 1 and energies are 1e5 at most, as those of targets and of x
+  /// tell.
+  static Units units_of(const sdp_penalty::Problem& problem, const Vector& x);
 
   int variables() const { return variables_; }
 
@@ -59,6 +72,7 @@ class SemidefiniteProgram {
   void add_stretch_bound(const sdp_penalty::Problem& problem, int element);
   void add_target(const sdp_penalty::Problem& problem, const sdp_penalty::Target& target);
 
+  Units units_;
   int variables_ = 0, unknowns_ = 0;
   std::vector<int> unknown_of_dof_;  // -1: held
   std::vector<double> held_;         // the value, of what is held

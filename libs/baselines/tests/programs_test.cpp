@@ -189,3 +189,32 @@ TEST_CASE("No place for files is a failure with the place") {
 }
 
 }  // namespace
+
+TEST_CASE("Programs solve instances whose optimum or coordinates are far beyond their own bounds") {
+  for (const std::string& name : all_programs) {
+    if (!available(name)) continue;
+    for (const std::string instance_name : {"yogurt90_N6_r0.15", "bar3d_squash_8x2x2"}) {
+      CAPTURE(name);
+      CAPTURE(instance_name);
+      const double optimum = tests::optimum_of(instance_name);
+      baselines::Instance instance = instance_named(instance_name);
+      const double factor = 1e7 / optimum;
+      for (double& weight : instance.problem.weights) weight *= factor;
+      instance.problem.alpha *= factor;
+      const Result stiff = run(name, instance);
+      CHECK(stiff.status == Status::converged);
+      CHECK(std::abs(stiff.measures.energy - 1e7) <= 10 * accuracy_of(name) * 1e7);
+
+      baselines::Instance large = instance_named(instance_name);
+      constexpr double length = 1e8;
+      for (double& g : large.problem.elements.gradients) g /= length;
+      for (sdp_penalty::Target& target : large.problem.targets)
+        for (double& coordinate : target.position) coordinate *= length;
+      large.rest *= length;
+      large.problem.alpha /= length * length;
+      const Result far = run(name, large);
+      CHECK(far.status == Status::converged);
+      CHECK(std::abs(far.measures.energy - optimum) <= 10 * accuracy_of(name) * optimum);
+    }
+  }
+}

@@ -10,24 +10,25 @@ namespace {
 
 std::mutex sink_mutex;
 std::shared_ptr<const LogSink> sink;
-std::atomic<bool> sink_set{false};
+constexpr int silent = static_cast<int>(LogLevel::error) + 1;
+std::atomic<int> least_level{silent};
 
 }  // namespace
 
-LogSink set_log_sink(LogSink replacement) {
+LogSink set_log_sink(LogSink replacement, LogLevel least) {
   const std::lock_guard lock(sink_mutex);
   LogSink previous = sink ? *sink : LogSink{};
-  sink_set = static_cast<bool>(replacement);
+  least_level = replacement ? static_cast<int>(least) : silent;
   sink = replacement ? std::make_shared<const LogSink>(std::move(replacement)) : nullptr;
   return previous;
 }
 
-bool log_enabled() noexcept {
-  return sink_set.load(std::memory_order_relaxed);
+bool log_enabled(LogLevel level) noexcept {
+  return static_cast<int>(level) >= least_level.load(std::memory_order_relaxed);
 }
 
 void log(LogLevel level, std::string_view message) {
-  if (!log_enabled()) return;
+  if (!log_enabled(level)) return;
   std::shared_ptr<const LogSink> current;
   {
     const std::lock_guard lock(sink_mutex);

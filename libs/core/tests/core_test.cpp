@@ -29,11 +29,11 @@ TEST_CASE("instruction-set levels: base is always there, unknown and missing one
 }
 
 TEST_CASE("log: silent without a sink, and the previous sink comes back") {
-  CHECK_FALSE(log_enabled());
+  CHECK_FALSE(log_enabled(LogLevel::error));
   log(LogLevel::error, "nobody hears this");
   std::vector<std::string> heard;
   set_log_sink([&](LogLevel, std::string_view message) { heard.emplace_back(message); });
-  CHECK(log_enabled());
+  CHECK(log_enabled(LogLevel::trace));
   log(LogLevel::info, "hello");
   const LogSink previous = set_log_sink({});
   CHECK(static_cast<bool>(previous));

@@ -3,7 +3,11 @@
 #include <isostretch/core/dispatch.hpp>
 #include <isostretch/energies/any_energy.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <string_view>
+#include <typeinfo>
 #include <utility>
 
 #include "builtin_includes.inc"
@@ -11,19 +15,27 @@
 namespace isostretch::energies {
 namespace {
 
-constexpr std::string_view names[] = {
-#define ISOSTRETCH_ENERGY(Struct) Struct::name,
+constexpr std::size_t count = 0
+#define ISOSTRETCH_ENERGY(Struct) +1
 #include "builtin_list.inc"
 #undef ISOSTRETCH_ENERGY
-};
-constexpr std::size_t count = std::size(names);
+    ;
 static_assert(count <= builtin_capacity);
+
+const std::array<const std::type_info*, count>& types() {
+  static const std::array<const std::type_info*, count> all = {
+#define ISOSTRETCH_ENERGY(Struct) &typeid(Struct),
+#include "builtin_list.inc"
+#undef ISOSTRETCH_ENERGY
+  };
+  return all;
+}
 
 }  // namespace
 
 ISOSTRETCH_KERNEL_LEVELS(BuiltinKernels, builtin_kernels)
 
-const std::array<EnergyFunctions, isa_count>* builtin_functions(std::string_view name) {
+const std::array<EnergyFunctions, isa_count>* builtin_functions(const std::type_info& energy) {
   static const auto table = [] {
     std::array<std::array<EnergyFunctions, isa_count>, count> all{};
     for (std::size_t i = 0; i < count; ++i)
@@ -33,7 +45,7 @@ const std::array<EnergyFunctions, isa_count>* builtin_functions(std::string_view
     return all;
   }();
   for (std::size_t i = 0; i < count; ++i)
-    if (names[i] == name) return &table[i];
+    if (*types()[i] == energy) return &table[i];
   return nullptr;
 }
 
@@ -63,6 +75,28 @@ AnyEnergy::AnyEnergy(std::shared_ptr<const ChunkEnergy> energy)
     functions.psi[1] = psi_of_object<3>, functions.derivatives[1] = derivatives_of_object<3>;
   functions_.fill(functions);
   object_ = std::move(energy);
+  require_declared_domain();
+}
+
+void AnyEnergy::require_declared_domain() const {
+  if (has_barrier()) return;
+  constexpr int points = 8;  // the least that every kernel takes
+  constexpr double inverted[] = {-0.5, -1e-3, -0.9, -0.1, -0.7, -0.3, -1e-6, -1.0};
+  for (const int dim : {2, 3}) {
+    if (!supports(dim)) continue;
+    double sigma[3 * points], psi[points];
+    std::fill(std::begin(sigma), std::end(sigma), 1.0);
+    std::copy(std::begin(inverted), std::end(inverted), sigma + (dim - 1) * points);
+    StretchChunk chunk{};
+    chunk.count = chunk.stride = points;
+    chunk.sigma = sigma;
+    chunk.psi = psi;
+    evaluate_psi(dim, chunk);
+    if (std::any_of(std::begin(psi), std::end(psi), [](double value) { return std::isnan(value); }))
+      throw Error("energy '" + name_ +
+                  "' is not a number where the determinant is negative; it must declare minimum_determinant, "
+                  "or determinant_bound()");
+  }
 }
 
 }  // namespace isostretch::energies

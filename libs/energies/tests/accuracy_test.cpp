@@ -208,6 +208,62 @@ void check_twist_near_rest(const Energy& energy) {
   }
 }
 
+// psi by the invariants, where the energy knows it, in quadruple precision: other formulas than the forms in
+// sigma.
+template <int Dim, class Energy>
+Quad reference_psi(const Energy& energy, const std::array<Quad, Dim>& sigma) {
+  using Scalar = testing::AutomaticScalar<Quad, Dim>;
+  Stretch<Dim, Scalar> s;
+  for (int i = 0; i < Dim; ++i) s.sigma[i] = Scalar(sigma[static_cast<std::size_t>(i)]);
+  if constexpr (requires { energy.psi(s.invariants()); }) {
+    return energy.psi(s.invariants()).value;
+  } else {
+    return energy.psi(s).value;
+  }
+}
+
+// Rotations and similarities but for a strain of e: there the terms of isochoric energies cancel.
+template <int Dim>
+std::vector<Stretch<Dim, double>> nearly_similar_stretches() {
+  std::vector<Stretch<Dim, double>> all;
+  for (const double scale : {1.0, 0.25, 3.0})
+    for (const double e : {1e-1, 1e-2, 1e-4, 1e-6, 1e-7}) {
+      Stretch<Dim, double> s;
+      for (int i = 0; i < Dim; ++i) s.sigma[i] = scale * (1.0 + e * (1.3 - 0.9 * i));
+      all.push_back(s);
+    }
+  return all;
+}
+
+template <int Dim, class Energy>
+void check_psi_near_similarities(const Energy& energy) {
+  const AnyEnergy any = energy;
+  double worst = 0;
+  for (const auto& s : nearly_similar_stretches<Dim>()) {
+    const Quad exact = reference_psi<Dim>(energy, widened(s));
+    Quad allowed = fabsq(exact) * 0x1p-52;
+    for (int i = 0; i < Dim; ++i) {
+      auto moved = widened(s);
+      moved[static_cast<std::size_t>(i)] *= 1 + Quad(0x1p-53);
+      allowed += fabsq(reference_psi<Dim>(energy, moved) - exact);
+    }
+    const auto check = [&](double psi) {
+      const double constant = ratio(fabsq(psi - exact), allowed);
+      CAPTURE(s[0]);
+      CAPTURE(s[Dim - 1]);
+      CHECK(constant <= 30);
+      worst = std::max(worst, constant);
+    };
+    check(evaluate_psi(energy, s));
+    at_every_level([&](Isa) {
+      check(PointChunk<Dim>(s).psi(any));
+      PointChunk<Dim> chunk(s);
+      check(chunk.derivatives(any).psi);
+    });
+  }
+  MESSAGE(std::string(Energy::name), " ", Dim, "D: worst C of psi ", worst);
+}
+
 template <class Energy, class Check>
 void in_each_dimension(const Energy&, Check check) {
   if constexpr (supports<Energy>(2)) check(std::integral_constant<int, 2>());
@@ -229,6 +285,14 @@ TEST_CASE("twists keep their digits near rest") {
     const std::string name = energy.name;
     CAPTURE(name);
     in_each_dimension(energy, [&](auto dim) { check_twist_near_rest<dim>(energy); });
+  });
+}
+
+TEST_CASE("psi keeps its digits near rotations and similarities") {
+  for_each_varied_builtin([](auto energy) {
+    const std::string name = energy.name;
+    CAPTURE(name);
+    in_each_dimension(energy, [&](auto dim) { check_psi_near_similarities<dim>(energy); });
   });
 }
 

@@ -283,3 +283,98 @@ TEST_CASE("energies of a program's own are in the registry once it has added the
                  "no parameter 'nu'; it has mu"));
   CHECK(contains(message_of([] { add_energy(entry_of<UserHencky>()); }), "'user_hencky' already"));
 }
+
+namespace {
+
+// A user's energy under the name of a built-in one, with members of another layout.
+struct UsersNeoHookean {
+  static constexpr const char* name = "neo_hookean_log";
+  const char* label = "mine";
+  double stiffness = 7.0;
+
+  template <int Dim, class T>
+  T psi(const Invariants<Dim, T>& I) const {
+    return stiffness * I.I2;
+  }
+};
+
+struct LogWithoutDomain {
+  static constexpr const char* name = "log_without_domain";
+
+  template <int Dim, class T>
+  T psi(const Invariants<Dim, T>& I) const {
+    using isostretch::log;
+    return I.I2 - log(I.I3);
+  }
+};
+
+struct RootWithoutDomain {
+  static constexpr const char* name = "root_without_domain";
+
+  template <int Dim, class T>
+  T psi(const Stretch<Dim, T>& s) const {
+    using isostretch::sqrt;
+    return s.I2() + sqrt(s.J());
+  }
+};
+
+struct InfiniteBelow {
+  static constexpr const char* name = "infinite_below";
+
+  template <int Dim, class T>
+  T psi(const Invariants<Dim, T>& I) const {
+    return I.I2 + select(I.I3 > 0.0, T(0.0), T(std::numeric_limits<double>::infinity()));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an energy with the name of a built-in one is evaluated as what it is") {
+  Stretch<3, double> s;
+  s.sigma[0] = 2, s.sigma[1] = 1.5, s.sigma[2] = 0.5;
+  const AnyEnergy mine = UsersNeoHookean{};
+  at_every_level([&](Isa) {
+    CHECK(PointChunk<3>(s).psi(mine) == doctest::Approx(7.0 * s.I2()).epsilon(1e-15));
+    CHECK(PointChunk<3>(s).derivatives(mine).gradient[0] == doctest::Approx(28.0).epsilon(1e-15));
+  });
+  CHECK(mine.parameters().empty());
+  CHECK_FALSE(mine.has_barrier());
+}
+
+TEST_CASE("built-in energies are found by their type alone") {
+  int count = 0;
+  for_each_builtin([&](auto energy) {
+    CHECK(builtin_functions(typeid(energy)) != nullptr);
+    ++count;
+  });
+  CHECK(count > 20);
+  CHECK(builtin_functions(typeid(UsersNeoHookean)) == nullptr);
+  CHECK(builtin_functions(typeid(int)) == nullptr);
+}
+
+TEST_CASE("parameters that no material has are refused where the energy is made") {
+  int refused = 0;
+  for_each_builtin([&](auto energy) {
+    using Energy = decltype(energy);
+    std::vector<std::string> parameters;
+    energy.parameters([&](const char* name, double&, const char*) { parameters.emplace_back(name); });
+    for (const std::string& parameter : parameters) {
+      CAPTURE(std::string(Energy::name));
+      CAPTURE(parameter);
+      const std::string message = message_of([&] { make_energy(Energy::name, {{parameter, -5.0}}); });
+      // c01 alone may be anything that c10 makes up for.
+      CHECK(contains(message, "energy '" + std::string(Energy::name) + "': parameter '" +
+                                  (parameter == "c01" ? "c10" : parameter) + "'"));
+      ++refused;
+    }
+  });
+  CHECK(refused > 20);
+  CHECK(make_energy("mooney_rivlin_3d", {{"c10", 1.0}, {"c01", -0.2}}).supports(3));
+  CHECK(make_energy("neo_hookean_log", {{"mu", 1.0}, {"lambda", -0.5}}).supports(3));
+}
+
+TEST_CASE("an energy that is NaN where the determinant is negative must say so") {
+  CHECK(contains(message_of([] { AnyEnergy{LogWithoutDomain{}}; }), "'log_without_domain'"));
+  CHECK(contains(message_of([] { AnyEnergy{RootWithoutDomain{}}; }), "must declare minimum_determinant"));
+  CHECK_FALSE(AnyEnergy(InfiniteBelow{}).has_barrier());
+}

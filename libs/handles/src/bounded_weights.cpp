@@ -3,6 +3,7 @@
 #include "stiffness.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/handles/bounded_weights.hpp>
 #include <isostretch/handles/elements.hpp>
 
@@ -80,7 +81,7 @@ void normalize_rows(HandleWeights& weights) {
 
 void WeightOptions::validate() const {
   if (!(tolerance >= 1e-12 && tolerance <= 1e-3))
-    throw Error("weights: tolerance " + std::to_string(tolerance) + " is not between 1e-12 and 1e-3");
+    throw Error("weights: tolerance " + to_text(tolerance) + " is not between 1e-12 and 1e-3");
   if (max_iterations < 1)
     throw Error("weights: max_iterations is " + std::to_string(max_iterations) + ", must be at least 1");
 }

@@ -1,4 +1,5 @@
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/handles/motion.hpp>
 
 #include <Eigen/Geometry>
@@ -40,7 +41,7 @@ void require_finite(const Keyframe& key, const std::string& name) {
         std::isfinite(t.degrees) && std::isfinite(t.scale)))
     throw Error(name + ": a number that is not finite");
   if (t.axis.isZero(0)) throw Error(name + ": a rotation axis of length zero");
-  if (!(t.scale > 0)) throw Error(name + ": a scale of " + std::to_string(t.scale) + ", must be positive");
+  if (!(t.scale > 0)) throw Error(name + ": a scale of " + to_text(t.scale) + ", must be positive");
 }
 
 // Degrees about the axis of `a` that `b` stands for, if it has the same axis.

@@ -136,8 +136,8 @@ std::vector<double> blended_rotations(const assembly::Elements& elements, const 
     mean_weights(elements, weights, e, share);
     const Eigen::Matrix3d R =
         by_vector ? exponential_sum(rotations, share) : normalized_sum(quaternions, share, e);
-    for (int i = 0; i < dim; ++i)
-      for (int j = 0; j < dim; ++j) result.push_back(R(i, j));
+    for (int column = 0; column < dim; ++column)
+      for (int row = 0; row < dim; ++row) result.push_back(R(row, column));
   }
   return result;
 }

@@ -1,4 +1,5 @@
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/handles/selection.hpp>
 
 #include <algorithm>
@@ -76,7 +77,7 @@ class Selector {
   }
 
   std::vector<int> operator()(const Patch& patch) const {
-    if (!(patch.distance >= 0)) fail("a distance of " + std::to_string(patch.distance));
+    if (!(patch.distance >= 0)) fail("a distance of " + to_text(patch.distance));
     if (nodes_.boundary_edges.empty()) fail("a patch, and the boundary has no edges");
     const std::vector<double> distances = distances_from(nearest_on_boundary(patch.point), patch.distance);
     std::vector<int> chosen;
@@ -120,7 +121,7 @@ class Selector {
   }
 
   void require_positive(double value, const char* what) const {
-    if (!(value > 0)) fail(std::string("a ") + what + " of " + std::to_string(value) + ", must be positive");
+    if (!(value > 0)) fail(std::string("a ") + what + " of " + to_text(value) + ", must be positive");
   }
 
   int nearest_on_boundary(const Point& point) const {

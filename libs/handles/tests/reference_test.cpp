@@ -101,8 +101,10 @@ TEST_CASE("rotations of the reference instances from their weights") {
     std::vector<Turn> turns;
     for (const auto& handle : j["handles"]) turns.push_back(turn_of(handle["rotation"]));
     std::vector<double> expected;
-    for (const auto& R : j["ex_rotations_rowmajor"])
-      for (const double entry : R) expected.push_back(entry);
+    for (const auto& R : j["ex_rotations_rowmajor"]) {
+      const std::size_t dim = R.size() == 4 ? 2 : 3;
+      for (std::size_t k = 0; k < R.size(); ++k) expected.push_back(R[k % dim * dim + k / dim]);
+    }
     // Those in the plane too were blended by half angles.
     const auto rotations = blended_rotations(elements_of(j), weights_of(j), turns, RotationBlend::quaternion);
     CHECK(largest_difference(rotations, expected) < 1e-9);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/to_text.hpp>
 
 #include <cmath>
 #include <limits>
@@ -16,7 +17,7 @@ inline void require_count(const char* what, int value, int least = 1) {
 
 inline void require_length(const char* what, double value) {
   if (!(value > 0 && std::isfinite(value)))
-    throw Error(std::string(what) + " is " + std::to_string(value) + ", must be positive");
+    throw Error(std::string(what) + " is " + isostretch::to_text(value) + ", must be positive");
 }
 
 // Products of three counts below 2^31 each fit a double closely enough to tell.

@@ -1,5 +1,6 @@
 #include "require.hpp"
 
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/mesh/structured.hpp>
 
@@ -13,7 +14,7 @@ namespace {
 void require_layers(const QuadMesh& mesh, int layers, double height) {
   if (layers < 1) throw Error("layers is " + std::to_string(layers) + ", must be at least 1");
   if (!(height > 0 && std::isfinite(height)))
-    throw Error("height is " + std::to_string(height) + ", must be positive");
+    throw Error("height is " + isostretch::to_text(height) + ", must be positive");
   constexpr double most = std::numeric_limits<int>::max();
   if (8.0 * double(mesh.quads.rows()) * layers > most ||
       double(mesh.vertices.rows()) * (double(layers) + 1) > most)

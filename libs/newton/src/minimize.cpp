@@ -3,6 +3,7 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/log.hpp>
 #include <isostretch/core/timer.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/newton/line_search.hpp>
 #include <isostretch/newton/minimize.hpp>
 #include <isostretch/sparse/solver.hpp>
@@ -71,6 +72,11 @@ class Minimizer {
         solver_->analyze(matrix_);
       }
     }
+    log(LogLevel::debug, [&] {
+      return "newton: " + std::to_string(matrix_.size) + " unknowns, " +
+             std::to_string(matrix_.value.size()) + " entries in the Hessian, pattern and analysis in " +
+             to_text(summary_.seconds.setup) + " s";
+    });
     filter_ = policy_.first();
     const Evaluation at = differentiate();
     summary_.initial_energy = summary_.energy = at.value;
@@ -79,7 +85,7 @@ class Minimizer {
                  "the energy is not finite at the start" +
                      (at.worst_element >= 0 ? ": first at element " + std::to_string(at.worst_element)
                                             : std::string()));
-    if (!gradient_.allFinite()) return end(Status::failed_start, "the gradient is not finite at the start");
+    if (!derivatives_fault_.empty()) return end(Status::failed_start, derivatives_fault_ + " at the start");
     Iteration row;
     row.energy = at.value;
     return record(row);
@@ -99,12 +105,25 @@ class Minimizer {
     const Evaluation at = objective_.differentiate(x_, filter_, gradient_, true);
     objective_.restrict(gradient_, reduced_);
     points_filtered_ = at.points_filtered;
+    derivatives_fault_.clear();
     if (std::isfinite(at.value)) {
       objective_.hessian(matrix_);
+      find_fault();
       measure_stiffness();
     }
     return at;
   }
+
+  // Infinity and NaN end here, where the element can still be named, and not in the solver.
+  void find_fault() {
+    const bool gradient = gradient_.allFinite();
+    if (gradient && matrix_.is_finite()) return;
+    derivatives_fault_ = std::string(gradient ? "the Hessian" : "the gradient") + " is not finite";
+    if (const int element = objective_.element_not_finite(); element >= 0)
+      derivatives_fault_ += " in element " + std::to_string(element);
+  }
+
+  bool end_at_fault() { return end(Status::failed_derivatives, derivatives_fault_); }
 
   // Median of the diagonal, from at most a few thousand entries spread evenly.
   void measure_stiffness() {
@@ -124,6 +143,10 @@ class Minimizer {
     row.gradient_inf_norm = summary_.gradient_inf_norm =
         reduced_.size() ? reduced_.cwiseAbs().maxCoeff() : 0.0;
     summary_.trace.push_back(row);
+    log(LogLevel::trace, [&] {
+      return "newton: iteration " + std::to_string(row.iteration) + ": energy " + to_text(row.energy) +
+             ", |gradient|_inf " + to_text(row.gradient_inf_norm) + ", step " + to_text(row.step);
+    });
     if (callback_ && callback_(row, x_) == CallbackAction::stop)
       return end(Status::stopped_by_callback, "stopped by the callback");
     return true;
@@ -200,15 +223,29 @@ class Minimizer {
       if (result.status != sparse::FactorStatus::not_positive_definite)
         return end(Status::failed_factorization, result.message);
       if (policy_.stronger(filter_)) {
+        log_filter(row);
         differentiate();
+        if (!derivatives_fault_.empty()) return end_at_fault();
         continue;
       }
       if (++shifts > options_.max_shifts)
         return end(Status::failed_factorization,
-                   "the Hessian is not positive definite with a diagonal shift of " + std::to_string(shift));
+                   "the Hessian is not positive definite with a diagonal shift of " + to_text(shift));
       shift = std::max(100 * shift, 1e-12 * typical_stiffness_);
-      if (log_enabled()) log(LogLevel::debug, "shifting the Hessian after a failed factorization");
+      log(LogLevel::debug, [&] {
+        return "newton: iteration " + std::to_string(row.iteration) +
+               ": the Hessian does not factorise although it is filtered; its diagonal is shifted by " +
+               to_text(shift);
+      });
     }
+  }
+
+  void log_filter(const Iteration& row) const {
+    log(LogLevel::debug, [&] {
+      return "newton: iteration " + std::to_string(row.iteration) +
+             ": the Hessian is not positive definite; filtered again with strength " +
+             to_text(strength_of(filter_));
+    });
   }
 
   // Relative residual for the next solve.
@@ -244,7 +281,9 @@ class Minimizer {
         if (indefinite && right.dot(solution) > 0) break;
         return end(Status::failed_factorization, result.message);
       }
+      log_filter(row);
       differentiate();
+      if (!derivatives_fault_.empty()) return end_at_fault();
       if (!factorize(row)) return false;
     }
     objective_.extend(solution, direction_);
@@ -287,9 +326,9 @@ class Minimizer {
     previous_.swap(x_);
     x_.swap(trial_);
     const Evaluation at = differentiate();
-    if (!std::isfinite(at.value) || !gradient_.allFinite()) {
+    if (!std::isfinite(at.value)) {
       x_.swap(previous_);
-      return end(Status::failed_line_search, "energy or gradient is not finite after a step that was");
+      return end(Status::failed_line_search, "the energy is not finite after a step that was");
     }
     summary_.energy = at.value;
     ++summary_.iterations;
@@ -298,6 +337,7 @@ class Minimizer {
     row.model_fit = search.model_fit;
     row.evaluations = search.evaluations;
     if (!record(row)) return false;
+    if (!derivatives_fault_.empty()) return end_at_fault();
     // Where energies are equal to rounding only the gradient can tell progress from a random walk.
     if (search.at_roundoff && summary_.gradient_inf_norm > 0.5 * gradient_before)
       return end(Status::converged_roundoff, "no step lowers energy or gradient beyond their rounding");
@@ -323,6 +363,8 @@ class Minimizer {
                              : sparse::ordering_name(statistics.ordering);
       summary_.factor_nonzeros = statistics.factor_nonzeros;
     }
+    log(LogLevel::debug,
+        [&] { return "newton: " + summary_.brief_report() + ", solved with " + summary_.solver; });
     return std::move(summary_);
   }
 
@@ -348,6 +390,7 @@ class Minimizer {
   bool solved_ = false;  // the last linear system, as accurately as wanted: its decrement can be trusted
   double last_relative_shift_ = 0;
   std::size_t points_filtered_ = 0;
+  std::string derivatives_fault_;  // why derivatives at x_ cannot be used; empty: they can
 };
 
 }  // namespace
@@ -357,6 +400,7 @@ Summary minimize(Objective& objective, Vector& x, const Options& options, const 
   if (x.size() != objective.dofs())
     throw Error("start of " + std::to_string(x.size()) + " entries for " + std::to_string(objective.dofs()) +
                 " degrees of freedom");
+  if (!objective.has_terms()) throw Error("the objective has no terms: there is nothing to minimize");
   objective.require_tied(x);
   return Minimizer(objective, x, options, callback).run();
 }

@@ -4,14 +4,17 @@
 #include <isostretch/newton/objective.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <string>
 
 namespace isostretch::newton {
 
-Objective::Objective(int dim, int node_count)
-    : dim_(dim), node_count_(node_count), pinned_(static_cast<std::size_t>(dim * node_count), false) {
+Objective::Objective(int dim, int node_count) : dim_(dim), node_count_(node_count) {
   if (dim != 2 && dim != 3) throw Error("objective of dim " + std::to_string(dim) + ": dim is 2 or 3");
+  if (node_count < 1 || node_count > std::numeric_limits<int>::max() / dim)
+    throw Error("objective of " + std::to_string(node_count) + " nodes in " + std::to_string(dim) + "D");
+  pinned_.assign(static_cast<std::size_t>(dofs()), false);
 }
 
 Objective::~Objective() = default;
@@ -19,6 +22,8 @@ Objective::Objective(Objective&&) noexcept = default;
 Objective& Objective::operator=(Objective&&) noexcept = default;
 
 void Objective::add_term(std::unique_ptr<Term> term) {
+  if (!term) throw Error("objective: a term that is null");
+  term->require_fits(dim_, node_count_);
   terms_.push_back(std::move(term));
   pattern_.reset();
 }
@@ -151,6 +156,12 @@ std::vector<int> Objective::axes() {
   for (int i = 0; i < unknowns.size(); ++i)
     axis[static_cast<std::size_t>(tied_ ? tied_->unknown(i) : i)] = unknowns.dof(i) % dim_;
   return axis;
+}
+
+int Objective::element_not_finite() const {
+  for (const auto& term : terms_)
+    if (const int element = term->element_not_finite(); element >= 0) return element;
+  return -1;
 }
 
 double Objective::max_step(const Vector& x, const Vector& dx, double limit) const {

@@ -36,6 +36,8 @@ std::string_view status_name(Status status) noexcept {
       return "stopped_by_callback";
     case Status::failed_start:
       return "failed_start";
+    case Status::failed_derivatives:
+      return "failed_derivatives";
     case Status::failed_factorization:
       return "failed_factorization";
     case Status::failed_line_search:
@@ -52,7 +54,8 @@ bool converged(Status status) noexcept {
 
 bool failed(Status status) noexcept {
   return status == Status::not_run || status == Status::failed_start ||
-         status == Status::failed_factorization || status == Status::failed_line_search;
+         status == Status::failed_derivatives || status == Status::failed_factorization ||
+         status == Status::failed_line_search;
 }
 
 std::string Summary::brief_report() const {

@@ -16,6 +16,19 @@ double Term::max_step(const Vector&, const Vector&, double limit) const {
 bool Term::has_barrier() const {
   return false;
 }
+void Term::require_fits(int, int) const {}
+int Term::element_not_finite() const {
+  return -1;
+}
+
+void require_fitting(const char* term, int dim, int node_count, int objective_dim, int objective_node_count) {
+  if (dim != objective_dim)
+    throw Error(std::string(term) + " in " + std::to_string(dim) + "D in an objective in " +
+                std::to_string(objective_dim) + "D");
+  if (node_count > objective_node_count)
+    throw Error(std::string(term) + " of " + std::to_string(node_count) + " nodes in an objective of " +
+                std::to_string(objective_node_count));
+}
 
 EnergyTerm::EnergyTerm(const assembly::Elements& elements, energies::AnyEnergy energy)
     : assembler_(elements, std::move(energy)) {}
@@ -23,6 +36,13 @@ EnergyTerm::EnergyTerm(const assembly::Elements& elements, energies::AnyEnergy e
 void EnergyTerm::set_scale(double scale) {
   left_out_ = scale == 0;
   if (!left_out_) assembler_.set_scale(scale);
+}
+
+void EnergyTerm::require_fits(int dim, int node_count) const {
+  require_fitting("an energy term", assembler_.dim(), assembler_.node_count(), dim, node_count);
+}
+int EnergyTerm::element_not_finite() const {
+  return left_out_ ? -1 : assembler_.element_not_finite();
 }
 
 void EnergyTerm::add_to(assembly::PatternBuilder& builder) const {
@@ -50,7 +70,7 @@ double EnergyTerm::max_step(const Vector& x, const Vector& dx, double limit) con
 }
 
 SoftPinTerm::SoftPinTerm(int dim, int node_count, std::vector<SoftPin> pins)
-    : dim_(dim), pins_(std::move(pins)) {
+    : dim_(dim), node_count_(node_count), pins_(std::move(pins)) {
   for (std::size_t i = 0; i < pins_.size(); ++i) {
     const SoftPin& pin = pins_[i];
     const std::string name = "soft pin " + std::to_string(i);
@@ -65,6 +85,9 @@ SoftPinTerm::SoftPinTerm(int dim, int node_count, std::vector<SoftPin> pins)
   }
 }
 
+void SoftPinTerm::require_fits(int dim, int node_count) const {
+  require_fitting("a term of soft pins", dim_, node_count_, dim, node_count);
+}
 void SoftPinTerm::add_to(assembly::PatternBuilder&) const {}  // every node has its diagonal block
 void SoftPinTerm::bind(const assembly::HessianPattern& pattern) {
   pattern_ = &pattern;

@@ -1,6 +1,7 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/energies/registry.hpp>
 #include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/mesh/elements.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/mesh/tutte.hpp>
 #include <isostretch/newton/minimize.hpp>
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 using namespace isostretch;
@@ -145,4 +148,123 @@ TEST_CASE("misuse is refused, naming the node or the pin") {
   CHECK_THROWS_WITH_AS(newton::SoftPinTerm(2, 4, pins({1, {0, std::nan("")}, 1})),
                        doctest::Contains("finite"), Error);
   CHECK_THROWS_WITH_AS(newton::SoftPinTerm(2, 4, pins({1, {0, 0}, -1})), doctest::Contains("weight"), Error);
+}
+
+namespace {
+
+bool table_ends = false;
+
+// psi read from a table that may end.
+struct Tabulated {
+  static constexpr const char* name = "tabulated";
+
+  template <int Dim, class T>
+  T psi(const energies::Invariants<Dim, T>& I) const {
+    if (table_ends) throw std::runtime_error("stretch outside of the material table");
+    return I.I2 - 2.0 * I.I1;
+  }
+};
+
+// Finite, with derivatives that are not where the determinant is large.
+struct Unbounded {
+  static constexpr const char* name = "unbounded";
+  static constexpr double minimum_determinant = 0.0;
+
+  template <int Dim, class T>
+  T psi(const energies::Invariants<Dim, T>& I) const {
+    using isostretch::log;
+    return -log(I.I3);
+  }
+};
+
+newton::Objective objective_of(const assembly::Elements& elements, const energies::AnyEnergy& energy) {
+  newton::Objective objective(elements.dim, elements.node_count);
+  objective.add<newton::EnergyTerm>(elements, energy);
+  return objective;
+}
+
+}  // namespace
+
+TEST_CASE("an exception of psi reaches the caller of minimize, with the best positions so far") {
+  newton::Objective objective = objective_of(grid_elements(20), Tabulated{});
+  const Vector start = 1.5 * grid_positions(20);
+  Vector x = start;
+  table_ends = true;
+  CHECK_THROWS_WITH_AS(newton::minimize(objective, x), "stretch outside of the material table",
+                       std::runtime_error);
+  CHECK(x == start);
+  table_ends = false;
+  double energy = 0;
+  const auto after_one_step = [&](const newton::Iteration& row, const Vector&) {
+    table_ends = row.iteration == 1;
+    energy = row.energy;
+    return newton::CallbackAction::proceed;
+  };
+  x += 0.01 * Vector::Random(x.size());
+  CHECK_THROWS_AS(newton::minimize(objective, x, {}, after_one_step), std::runtime_error);
+  table_ends = false;
+  CHECK(objective.value(x).value == energy);
+  CHECK(newton::minimize(objective, x).converged());
+}
+
+TEST_CASE("derivatives that are not finite end the solve with a status that names the element") {
+  newton::Objective objective = objective_of(grid_elements(3), Unbounded{});
+  Vector x = grid_positions(3);
+  const newton::Summary summary = newton::minimize(objective, x);
+  CHECK(newton::failed(summary.status));
+  CHECK(x.allFinite());
+  CHECK(summary.energy == objective.value(x).value);
+  MESSAGE(summary.message);
+  Vector huge = 1e160 * grid_positions(3);
+  const newton::Summary at_start = newton::minimize(objective, huge);
+  CHECK(newton::failed(at_start.status));
+  CHECK_MESSAGE(at_start.message.find("element ") != std::string::npos, at_start.message);
+}
+
+TEST_CASE("objectives and terms that do not fit are refused where they meet") {
+  CHECK_THROWS_WITH_AS(newton::Objective(2, 0), doctest::Contains("objective of 0 nodes"), Error);
+  CHECK_THROWS_WITH_AS(newton::Objective(3, -4), doctest::Contains("objective of -4 nodes"), Error);
+  CHECK_THROWS_WITH_AS(newton::Objective(3, std::numeric_limits<int>::max() / 2),
+                       doctest::Contains("nodes in 3D"), Error);
+  const auto flat = grid_elements(2);
+  const auto solid = assembly::elements_from(mesh::elements(mesh::tet_bar(1, 1, 1)));
+  newton::Objective plane(2, flat.node_count);
+  CHECK_THROWS_WITH_AS(plane.add<newton::EnergyTerm>(solid, energies::make_energy("arap")),
+                       "an energy term in 3D in an objective in 2D", Error);
+  CHECK_THROWS_WITH_AS(plane.add<newton::SoftPinTerm>(3, 4, std::vector<newton::SoftPin>{}),
+                       doctest::Contains("soft pins in 3D"), Error);
+  newton::Objective small(2, 4);
+  CHECK_THROWS_WITH_AS(small.add<newton::EnergyTerm>(flat, energies::make_energy("arap")),
+                       "an energy term of 9 nodes in an objective of 4", Error);
+  CHECK_THROWS_WITH_AS(small.add_term(nullptr), doctest::Contains("null"), Error);
+  Vector x = Vector::Zero(8);
+  CHECK_THROWS_WITH_AS(newton::minimize(small, x), doctest::Contains("no terms"), Error);
+  assembly::Elements empty;
+  empty.dim = 2, empty.nodes_per_element = 3, empty.points_per_element = 1, empty.node_count = 4;
+  CHECK_THROWS_WITH_AS(objective_of(empty, energies::make_energy("arap")), doctest::Contains("no elements"),
+                       Error);
+}
+
+namespace {
+
+struct Concave {
+  static constexpr const char* name = "concave";
+  template <int Dim, class T>
+  T psi(const energies::Invariants<Dim, T>& I) const {
+    return -1e-9 * I.I1;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a diagonal shift is told in full, however small it is") {
+  newton::Objective objective = objective_of(grid_elements(4), Concave{});
+  Vector x = grid_positions(4);
+  newton::Options options;
+  options.max_shifts = 0;
+  options.projection = newton::Projection::none;
+  const newton::Summary summary = newton::minimize(objective, x, options);
+  REQUIRE(summary.status == newton::Status::failed_factorization);
+  CHECK_MESSAGE(summary.message.find("0.000000") == std::string::npos, summary.message);
+  CHECK(summary.message.find("e-") != std::string::npos);
 }

@@ -11,7 +11,7 @@ namespace isostretch::sdp_penalty {
 
 template <int D>
 Small<D> rotation(const Problem& problem, std::size_t e) {
-  return load<D>(problem.rotations.data() + e * D * D);
+  return transposed(load<D>(problem.rotations.data() + e * D * D));  // they stand column by column
 }
 
 template <int D>

@@ -1,4 +1,5 @@
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/sdp_penalty/problem.hpp>
 
 #include <algorithm>
@@ -93,6 +94,8 @@ void Problem::validate() const {
           "incompressibility must not be negative");
   require(margin >= 0 && std::isfinite(margin), "margin must not be negative");
   require(largest_stretch > margin, "largest_stretch must be above the margin");
+  require(margin < 1,
+          "a margin of " + to_text(margin) + " is not below 1, the least stretch of a body at rest");
   require_compatible_targets(*this);
   require_held_components(*this);
 }

@@ -3,6 +3,8 @@
 #include "scaling.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/log.hpp>
+#include <isostretch/core/to_text.hpp>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +12,7 @@
 #include <cstdio>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace isostretch::sdp_penalty {
@@ -98,6 +101,10 @@ void Progress::record(Iteration row, const Vector& x, const Constrained& at_x,
       std::count_if(determinants.begin(), determinants.end(), [](double d) { return !(d > 0); }));
   row.seconds = timer_.seconds();
   summary_.trace.push_back(row);
+  log(LogLevel::trace, [&] {
+    return "sdp_penalty: iteration " + std::to_string(row.iteration) + ": energy " + to_text(row.energy) +
+           ", bound " + to_text(row.lower_bound) + ", " + std::to_string(row.inverted) + " inverted";
+  });
   if (ends_at_certificate_ && certified())
     end(Status::optimal, "feasible, and the certified gap is within gap_tolerance");
   if (callback_ && callback_(row, x) == CallbackAction::stop && !ended())
@@ -211,6 +218,10 @@ Summary Progress::finish(const Vector& x) {
     if (feasible()) summary_.gap = gap();
   }
   summary_.seconds = timer_.seconds();
+  log(LogLevel::debug, [&] {
+    return "sdp_penalty: " + std::to_string(summary_.iterations) + " iterations, " +
+           std::to_string(summary_.linear_solves) + " linear solves: " + summary_.message;
+  });
   return std::move(summary_);
 }
 

@@ -27,7 +27,7 @@ std::vector<double> rotations_of(const assembly::Elements& elements, const Vecto
   linalg::polar(D, {F.data(), R.data(), S.data(), count, count});
   for (std::size_t e = 0; e < count; ++e)
     for (std::size_t r = 0; r < D; ++r)
-      for (std::size_t c = 0; c < D; ++c) rotations[e * entries + r * D + c] = R[(r + D * c) * count + e];
+      for (std::size_t c = 0; c < D; ++c) rotations[e * entries + r + D * c] = R[(r + D * c) * count + e];
   return rotations;
 }
 

@@ -1,6 +1,7 @@
 #include "methods.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/log.hpp>
 #include <isostretch/sdp_penalty/solver.hpp>
 
 #include <algorithm>
@@ -83,6 +84,11 @@ Summary Solver::solve_here(const Problem& problem, Vector& x, const IterationCal
   Workspace& work = kept_->work;
   Progress progress(work, options_, callback);
   if (work.unconstrained.refresh(work.system)) progress.count_solve();
+  log(LogLevel::debug, [&] {
+    return "sdp_penalty: " + std::string(method_name(options_.method)) + " on " +
+           std::to_string(problem.element_count()) + " elements, " + std::to_string(problem.targets.size()) +
+           " targets";
+  });
   x = work.unconstrained.minimiser();
   const Constrained at_start = work.system.constrained(x);
   progress.record({}, x, at_start,

@@ -7,6 +7,8 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Core>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -94,6 +96,8 @@ TEST_CASE("bad problems name what is wrong") {
   refused([](Problem& p) { p.rotations[9] = 2; }, "element 1 is not a rotation");
   refused([](Problem& p) { p.rotations[0] = -1; }, "element 0 is not a rotation");
   refused([](Problem& p) { p.rotations.pop_back(); }, "entries of rotations");
+  refused([](Problem& p) { p.margin = 1; }, "margin of 1 is not below 1");
+  refused([](Problem& p) { p.margin = std::nan(""); }, "margin must not be negative");
   refused([](Problem& p) { p.weights[3] = 0; }, "weight of element 3");
   refused([](Problem& p) { p.targets.clear(); }, "no target holds node 0 or another of its component");
   refused([](Problem& p) { p.targets[2].node = 1000; }, "target 2: node 1000");
@@ -135,4 +139,23 @@ TEST_CASE("centrality corrections save factorizations") {
     solves[corrections / 2] = summary.linear_solves;
   }
   CHECK(solves[1] < solves[0]);
+}
+
+TEST_CASE("ex-rotations are set from matrices and stand column by column, as everything else") {
+  Problem problem = bar_at_rest();
+  Eigen::Matrix3d turn;
+  turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  problem.set_rotations(
+      std::vector<Eigen::Matrix3d>(static_cast<std::size_t>(problem.element_count()), turn));
+  CHECK(problem.rotations.size() == 9 * static_cast<std::size_t>(problem.element_count()));
+  CHECK(Eigen::Map<const Eigen::Matrix3d>(problem.rotations.data() + 9) == turn);
+  // The body turned so has no energy but that of its targets.
+  Vector x;
+  for (sdp_penalty::Target& target : problem.targets) {
+    const Eigen::Vector3d turned = turn * Eigen::Map<const Eigen::Vector3d>(target.position.data());
+    target.position.assign(turned.begin(), turned.end());
+  }
+  const auto summary = sdp_penalty::solve(problem, x);
+  CHECK(summary.status == Status::optimal);
+  CHECK(summary.energy < 1e-12);
 }

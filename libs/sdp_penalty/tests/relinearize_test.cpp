@@ -25,8 +25,8 @@ Problem randomly_rotated(int n, double degrees) {
         degrees * std::acos(-1.0) / 180 * (2.0 * static_cast<double>(generator()) / 4294967296.0 - 1);
     double* R = problem.rotations.data() + 4 * e;
     R[0] = R[3] = std::cos(a);
-    R[2] = std::sin(a);
-    R[1] = -R[2];
+    R[1] = std::sin(a);
+    R[2] = -R[1];
   }
   return problem;
 }
@@ -92,8 +92,8 @@ TEST_CASE("nearest rotations are those of the elements, and the callback can end
   }
   const auto R = sdp_penalty::nearest_rotations(problem.elements, x);
   for (std::size_t e = 0; e < R.size() / 9; ++e) {
-    CHECK(R[9 * e + 3] == doctest::Approx(1));
-    CHECK(R[9 * e + 1] == doctest::Approx(-1));
+    CHECK(R[9 * e + 1] == doctest::Approx(1));
+    CHECK(R[9 * e + 3] == doctest::Approx(-1));
     CHECK(R[9 * e + 8] == doctest::Approx(1));
   }
   int rounds = 0;

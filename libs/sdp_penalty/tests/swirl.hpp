@@ -26,7 +26,7 @@ inline sdp_penalty::Problem swirl(int n, double degrees) {
     for (int k = 0; k < 3; ++k)
       x += flat(grid.triangles(f, k), 0) / 3, y += flat(grid.triangles(f, k), 1) / 3;
     const double c = std::cos(angle_at(x, y)), s = std::sin(angle_at(x, y));
-    problem.rotations.insert(problem.rotations.end(), {c, -s, s, c});
+    problem.rotations.insert(problem.rotations.end(), {c, s, -s, c});
   }
   for (int v = 0; v < flat.rows(); ++v) {
     const double x = flat(v, 0), y = flat(v, 1), r = std::hypot(x - 0.5, y - 0.5);
@@ -53,7 +53,7 @@ inline sdp_penalty::Problem swirl_in_space(int n, double degrees) {
       for (int i = 0; i < 3; ++i) middle[i] += cube.vertices(cube.tets(e, k), i) / 4;
     const double a = most * std::clamp((0.5 - radius(middle[0], middle[1], middle[2])) / 0.35, 0.0, 1.0);
     const double c = std::cos(a), s = std::sin(a);
-    problem.rotations.insert(problem.rotations.end(), {c, -s, 0, s, c, 0, 0, 0, 1});
+    problem.rotations.insert(problem.rotations.end(), {c, s, 0, -s, c, 0, 0, 0, 1});
   }
   for (int v = 0; v < cube.vertices.rows(); ++v) {
     const double x = cube.vertices(v, 0), y = cube.vertices(v, 1), z = cube.vertices(v, 2);

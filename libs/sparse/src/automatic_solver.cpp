@@ -4,6 +4,8 @@
 #include "ordering.hpp"
 #include "pcg_solver.hpp"
 
+#include <isostretch/core/log.hpp>
+
 #include <unistd.h>
 
 #include <limits>
@@ -106,6 +108,8 @@ class AutomaticSolver final : public Solver {
   // follow. Tried once a pattern.
   bool factorize_instead() {
     may_give_up_ = false;
+    log(LogLevel::info,
+        "sparse: conjugate gradients have not converged; a factorization is tried in their place");
     const SymmetricMatrix A = std::move(matrix_);
     matrix_ = {};
     if (!direct(A, std::numeric_limits<double>::infinity())) return false;

@@ -5,6 +5,7 @@
 #include "pcg_solver.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/to_text.hpp>
 
 #include <algorithm>
 #include <string>
@@ -20,7 +21,7 @@ void require_valid(const Options& options) {
       std::find(orderings.begin(), orderings.end(), options.ordering) == orderings.end())
     throw Error("ordering '" + std::string(ordering_name(options.ordering)) + "' is not compiled in");
   if (!(options.pcg_tolerance > 0 && options.pcg_tolerance < 1))
-    throw Error("pcg_tolerance is " + std::to_string(options.pcg_tolerance) + ", not between 0 and 1");
+    throw Error("pcg_tolerance is " + to_text(options.pcg_tolerance) + ", not between 0 and 1");
   if (options.pcg_max_iterations < 0)
     throw Error("pcg_max_iterations is negative: " + std::to_string(options.pcg_max_iterations));
   if (options.stale_max_iterations < 0)

@@ -61,11 +61,15 @@ void SymmetricMatrix::validate() const {
   validate_groups(*this);
 }
 
-void SymmetricMatrix::require_finite() const {
-  // One vectorisable pass decides, the search for the culprit only follows a fault: 0 * value is 0 or NaN.
+bool SymmetricMatrix::is_finite() const {
+  // A pass without branches: 0 * value is 0 or NaN.
   double sum = 0;
   for (const double v : value) sum += 0 * v;
-  if (sum == 0) return;
+  return sum == 0;
+}
+
+void SymmetricMatrix::require_finite() const {
+  if (is_finite()) return;
   for (int j = 0; j < size; ++j)
     for (int k = column_start[j]; k < column_start[j + 1]; ++k)
       if (!std::isfinite(value[k])) fail((std::isnan(value[k]) ? "NaN at " : "infinity at ") + at(row[k], j));

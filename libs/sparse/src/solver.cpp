@@ -1,5 +1,7 @@
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/log.hpp>
 #include <isostretch/core/timer.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/sparse/solver.hpp>
 
 #include <cmath>
@@ -36,7 +38,21 @@ FactorResult Solver::analyze(const SymmetricMatrix& A) {
     analysis_ = {FactorStatus::out_of_memory, -1, "out of memory in the symbolic analysis"};
   }
   state_ = State::analyzed;
+  log_analysis();
   return analysis_;
+}
+
+void Solver::log_analysis() const {
+  log(LogLevel::debug, [this] {
+    if (!analysis_)
+      return "sparse: analysis of " + std::to_string(size_) + " unknowns failed: " + analysis_.message;
+    std::string text = "sparse: " + std::to_string(size_) + " unknowns, " + std::to_string(row_.size()) +
+                       " entries: " + std::string(backend_name(statistics_.backend));
+    if (statistics_.backend == Backend::pcg)
+      return text + " with " + std::string(preconditioner_name(statistics_.preconditioner));
+    return text + ", ordering " + std::string(ordering_name(statistics_.ordering)) + ", factor of " +
+           to_text(statistics_.factor_nonzeros) + " entries";
+  });
 }
 
 FactorResult Solver::factorize(const SymmetricMatrix& A) {
@@ -68,7 +84,7 @@ SolveResult Solver::solve_columns(const double* b, double* x, int columns) {
 
 void Solver::set_tolerance(double tolerance) {
   if (!(tolerance > 0 && tolerance < 1))
-    throw Error("sparse solver: tolerance " + std::to_string(tolerance) + " is not between 0 and 1");
+    throw Error("sparse solver: tolerance " + to_text(tolerance) + " is not between 0 and 1");
   do_set_tolerance(tolerance);
 }
 

@@ -413,3 +413,43 @@ TEST_CASE("conjugate gradients: zero right-hand side") {
   CHECK(solver->solve(Eigen::VectorXd::Zero(A.size), x));
   CHECK(x.isZero(0));
 }
+
+namespace {
+
+Eigen::MatrixXd dense_of(const SymmetricMatrix& A) {
+  Eigen::MatrixXd dense(A.size, A.size);
+  for (int j = 0; j < A.size; ++j) dense.col(j) = A.multiply(Eigen::VectorXd::Unit(A.size, j));
+  return dense;
+}
+
+}  // namespace
+
+TEST_CASE("sparse solver: the verdict of definiteness depends neither on size nor on place") {
+  int checked = 0;
+  for_each_solver([&](const Options& options) {
+    if (options.backend == Backend::pcg) return;  // it looks along its search directions alone
+    for (const int size : {1, 2, 3, 5, 8, 17, 40, 100, 400, 1500})
+      for (const double shift : {1e-3, -1e-3}) {
+        // Positive definite but for one eigenvalue of the sign of the shift, which no diagonal entry shows.
+        SymmetricMatrix A = random_spd(size, 3, static_cast<unsigned>(size));
+        const int place = size / 3;
+        if (size == 1) {
+          A.value[0] = shift;
+        } else {
+          const Eigen::MatrixXd dense = dense_of(A);
+          const Eigen::MatrixXd inverse = dense.llt().solve(Eigen::MatrixXd::Identity(size, size));
+          // A - (1 - shift) e e^T / (e^T A^-1 e) is singular at shift = 0.
+          diagonal_entry(A, place) -= (1 - shift) / inverse(place, place);
+        }
+        CAPTURE(size);
+        CAPTURE(shift);
+        const auto solver = make_solver(options);
+        REQUIRE(solver->analyze(A));
+        const FactorResult result = solver->factorize(A);
+        CHECK(static_cast<bool>(result) == (shift > 0));
+        if (shift < 0) CHECK(result.status == FactorStatus::not_positive_definite);
+        ++checked;
+      }
+  });
+  CHECK(checked >= 20);
+}

@@ -16,6 +16,10 @@ class ModelledEnergyTerm : public newton::Term {
   // Keeps a reference to the problem.
   explicit ModelledEnergyTerm(const DistortionProblem& problem);
 
+  void require_fits(int dim, int node_count) const override {
+    newton::require_fitting("an energy term", assembler_.dim(), assembler_.node_count(), dim, node_count);
+  }
+  int element_not_finite() const override { return assembler_.element_not_finite(); }
   void add_to(assembly::PatternBuilder& builder) const override { assembler_.add_to(builder); }
   void bind(const assembly::HessianPattern& pattern) override { assembler_.bind(pattern); }
   newton::Evaluation value(const Vector& x) override { return assembler_.value(x.data()); }

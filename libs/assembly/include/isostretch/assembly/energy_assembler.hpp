@@ -21,7 +21,7 @@ struct Evaluation {
 // The chunk loop: energy, gradient and filtered Hessian of sum weight * psi(F) over elements. Positions,
 // directions and gradients are vectors of node_count * dim entries, node by node. Parallel over chunks with
 // OpenMP; results are the same bit for bit for any number of threads, and allocate nothing after the first
-// call.
+// call. What an energy throws, reaches the caller: of several exceptions that of the first chunk of elements.
 class EnergyAssembler {
  public:
   // Throws Error when the elements are malformed or the energy does not exist in their dimension.
@@ -52,6 +52,11 @@ class EnergyAssembler {
   // Adds the Hessian of the last differentiate() to the values of a matrix with the bound pattern.
   void add_hessian(double* values) const;
 
+  /// Returns the first element to which the last differentiate() gave a gradient, or a Hessian where one was
+  /// made, that is not finite, in the order of element_order(); -1 if there is none. Costs a pass over all of
+  /// them.
+  int element_not_finite() const;
+
   // For approximations in the place of the Hessian: what add_hessian() adds, to be read and written after a
   // differentiate() with the Hessian, or to be filled after one without. Of the element element_order()[i]
   // the blocks a <= b of its nodes, dim * dim entries each, row by row, from entry i *
@@ -80,6 +85,8 @@ class EnergyAssembler {
   void gather_hessian(double* values) const;
   template <class Body>
   void for_each_chunk(const Body& body) const;
+  template <class Kernels, class Work, class Body>
+  void for_each_point(const Kernels& kernels, Work& work, int chunk, const Body& body) const;
 
   energies::AnyEnergy energy_;
   int dim_;

@@ -8,6 +8,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -35,13 +36,18 @@ class ChunkEnergy {
   virtual void derivatives(int dim, const StretchChunk& chunk) const = 0;
 };
 
-// Kernels of a built-in energy, compiled for every instruction-set level; null for any other name.
-const std::array<EnergyFunctions, isa_count>* builtin_functions(std::string_view name);
+/// Returns the kernels of a built-in energy, compiled for every instruction-set level; null for any other
+/// type, whatever its name: the kernels read the members of just that struct.
+const std::array<EnergyFunctions, isa_count>* builtin_functions(const std::type_info& energy);
 
 // Any energy behind one type: cheap to copy, safe to share between threads, one indirect call per chunk.
 //
 // Built-in energies run at the active instruction-set level. A user's own energy runs as it was compiled
 // where the AnyEnergy is made: give that source file -march=... for full speed.
+//
+// Making one throws Error, naming the energy, where a parameter breaks a rule of require_parameters(), and
+// where psi is NaN at an inverted stretch although no bound of the determinant is declared (evaluate.hpp):
+// the logarithm of a negative determinant would only show in the middle of a solve.
 class AnyEnergy {
  public:
   template <class Energy>
@@ -70,6 +76,12 @@ class AnyEnergy {
   template <class Energy>
   AnyEnergy(WithPsi, Energy energy);
 
+  template <class Energy>
+  void require_valid(const Energy& energy) const;
+  // Inverted stretches may have any finite or infinite psi, but no NaN unless the energy says that they are
+  // outside.
+  void require_declared_domain() const;
+
   const EnergyFunctions& active() const { return functions_[static_cast<std::size_t>(active_isa())]; }
 
   std::shared_ptr<const void> object_;
@@ -89,7 +101,8 @@ AnyEnergy::AnyEnergy(Energy energy) : AnyEnergy(WithPsi{}, with_psi(std::move(en
 template <class Energy>
 AnyEnergy::AnyEnergy(WithPsi, Energy energy)
     : name_(Energy::name), determinant_bound_(energies::determinant_bound(energy)) {
-  if (const auto* compiled = builtin_functions(name_)) {
+  require_valid(energy);
+  if (const auto* compiled = builtin_functions(typeid(Energy))) {
     functions_ = *compiled;
   } else {
     functions_.fill(detail::functions_of<Energy>());
@@ -105,6 +118,16 @@ AnyEnergy::AnyEnergy(WithPsi, Energy energy)
     });
   }
   object_ = std::make_shared<const Energy>(std::move(energy));
+  require_declared_domain();
+}
+
+template <class Energy>
+void AnyEnergy::require_valid(const Energy& energy) const {
+  if constexpr (requires { energy.require_parameters([](const char*, bool, const char*) {}); }) {
+    energy.require_parameters([this](const char* parameter, bool holds, const char* rule) {
+      if (!holds) throw Error("energy '" + name_ + "': parameter '" + parameter + "' " + rule);
+    });
+  }
 }
 
 inline namespace ISOSTRETCH_ISA {

@@ -17,6 +17,8 @@
 //   static constexpr bool decoupled;               // A is diagonal: no eigen-solve
 //   template <class V> void parameters(V&& visit); // visit("name", member, "what it is") for each: settable
 //   by name
+//   template <class R> void require_parameters(R&& require) const;  // require("name", member > 0, "must be
+//   positive") for each rule: an AnyEnergy of parameters that break one is refused
 //
 // Inside psi, functions of T are isostretch::log, exp, sqrt, pow(x, double), cbrt, ...: `using
 // isostretch::log;`.

@@ -33,6 +33,54 @@ ISOSTRETCH_INLINE T isochoric_factor(const Stretch<Dim, T>& s) {
   }
 }
 
+/// Cube roots of the stretches in 3D, and what isochoric invariants exceed their rest value by. Both excesses
+/// are sums of squares, from x^3 + y^3 + z^3 - 3xyz = (x + y + z) ((x-y)^2 + (y-z)^2 + (z-x)^2) / 2 with x =
+/// sigma^(2/3): near a similarity nothing cancels. All stretches must be positive.
+template <class T>
+struct CubeRoots {
+  T root[3];    // sigma^(1/3)
+  T square[3];  // sigma^(2/3)
+  T gap[3];     // of pair i: sigma_j^(2/3) - sigma_k^(2/3)
+
+  ISOSTRETCH_INLINE explicit CubeRoots(const Stretch<3, T>& s) {
+    for (int i = 0; i < 3; ++i) root[i] = cbrt(s[i]), square[i] = root[i] * root[i];
+    for (int i = 0; i < 3; ++i) {
+      const int j = first<3>(i), k = second<3>(i);
+      const T denominator = square[j] + root[j] * root[k] + square[k];
+      gap[i] = (s[j] - s[k]) * (root[j] + root[k]) / denominator;
+    }
+  }
+
+  /// Returns |F|^2 J^(-2/3) - 3.
+  ISOSTRETCH_INLINE T excess() const {
+    const T gaps = gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2];
+    return 0.5 * (square[0] + square[1] + square[2]) * gaps / (square[0] * square[1] * square[2]);
+  }
+
+  /// Returns |cof F|^2 J^(-4/3) - 3: the same of the products of two stretches.
+  ISOSTRETCH_INLINE T cofactor_excess() const {
+    T sum(0.0), gaps(0.0);
+    for (int i = 0; i < 3; ++i) {
+      sum = sum + square[first<3>(i)] * square[second<3>(i)];
+      const T product_gap = square[i] * gap[i];
+      gaps = gaps + product_gap * product_gap;
+    }
+    const T volume = square[0] * square[1] * square[2];
+    return 0.5 * sum * gaps / (volume * volume);
+  }
+};
+
+/// Returns |F|^2 J^(-2/dim) - dim of positive stretches, without the cancellation of that difference near a
+/// similarity.
+template <int Dim, class T>
+ISOSTRETCH_INLINE T isochoric_excess(const Stretch<Dim, T>& s) {
+  if constexpr (Dim == 2) {
+    return square(s[0] - s[1]) / s.J();
+  } else {
+    return CubeRoots<T>(s).excess();
+  }
+}
+
 template <int Dim, class T>
 ISOSTRETCH_INLINE void set_zero(StretchDerivatives<Dim, T>& d) {
   d.psi = T(0.0);

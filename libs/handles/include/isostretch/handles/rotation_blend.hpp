@@ -24,9 +24,9 @@ enum class RotationBlend { angle, quaternion, aligned_quaternion, rotation_vecto
 // angle in 2D, quaternion in 3D.
 RotationBlend default_blend(int dim);
 
-// One rotation for every element, dim x dim row by row, of determinant 1, by the mean of the weights of its
-// nodes. One turn a handle. Throws Error for elements that are invalid, sizes that do not fit, a turn that is
-// not finite or, in 3D, whose axis has length zero, axes that differ (angle), and an element whose
+// One rotation for every element, dim x dim column by column, of determinant 1, by the mean of the weights of
+// its nodes. One turn a handle. Throws Error for elements that are invalid, sizes that do not fit, a turn
+// that is not finite or, in 3D, whose axis has length zero, axes that differ (angle), and an element whose
 // quaternions cancel to a sum shorter than 1e-8.
 std::vector<double> blended_rotations(const assembly::Elements& elements, const HandleWeights& weights,
                                       const std::vector<Turn>& turns, RotationBlend blend);

@@ -15,6 +15,8 @@ class TiedUnknowns;
 // and ties are eliminated from the linear systems.
 class Objective {
  public:
+  /// Throws Error unless dim is 2 or 3 and there is a node, and no more of them than fit into an int with
+  /// dim.
   Objective(int dim, int node_count);
   ~Objective();
   Objective(Objective&&) noexcept;
@@ -27,7 +29,9 @@ class Objective {
     add_term(std::move(term));
     return reference;
   }
+  /// Throws Error where the term says that it does not fit (Term::require_fits).
   void add_term(std::unique_ptr<Term> term);
+  bool has_terms() const { return !terms_.empty(); }
 
   // Throws Error when the node (or axis) is out of range.
   void pin(int node);
@@ -54,6 +58,9 @@ class Objective {
   // Hessian of the last differentiate() over the unknowns: what is neither pinned nor tied, and every set of
   // tied coordinates. `matrix` has the pattern of zero_matrix().
   void hessian(sparse::SymmetricMatrix& matrix);
+  /// Returns an element to which a gradient or Hessian that is not finite can be traced, after
+  /// differentiate(), and -1 if none of the terms knows of one.
+  int element_not_finite() const;
   const sparse::SymmetricMatrix& zero_matrix();
 
   // A gradient over the unknowns, and a direction over all degrees of freedom (zero at pinned ones).

@@ -20,7 +20,8 @@ enum class Status {
   stopped_iterations,
   stopped_time,
   stopped_by_callback,
-  failed_start,          // energy or gradient not finite at the start
+  failed_start,          // energy, gradient or Hessian not finite at the start
+  failed_derivatives,    // gradient or Hessian not finite at positions with a finite energy
   failed_factorization,  // not even the fully filtered and shifted Hessian factorises
   failed_line_search,    // no step along a descent direction lowers the energy
 };

@@ -17,6 +17,10 @@ class Term {
  public:
   virtual ~Term();
 
+  /// Throws Error unless the term is one of positions of so many nodes in this dimension. An objective asks
+  /// when the term is added to it. Everything fits unless overridden.
+  virtual void require_fits(int dim, int node_count) const;
+
   // Pairs of nodes that the Hessian couples, and the pattern made of all terms' pairs (which outlives the
   // term's use).
   virtual void add_to(assembly::PatternBuilder& builder) const = 0;
@@ -29,6 +33,9 @@ class Term {
                                    bool hessian) = 0;
   // Adds the Hessian of the last differentiate() to matrix values with the bound pattern.
   virtual void add_hessian(double* values) const = 0;
+  /// Returns an element to whose gradient or Hessian in the last differentiate() infinity or NaN can be
+  /// traced; -1, as unless overridden, if there is none.
+  virtual int element_not_finite() const;
 
   // Largest t <= limit for which x + s dx is in the domain for all 0 <= s < t.
   virtual double max_step(const Vector& x, const Vector& dx, double limit) const;
@@ -44,12 +51,14 @@ class EnergyTerm final : public Term {
   // 1 at first. A term of scale 0 is left out, with its domain. Throws Error when negative or not finite.
   void set_scale(double scale);
 
+  void require_fits(int dim, int node_count) const override;
   void add_to(assembly::PatternBuilder& builder) const override;
   void bind(const assembly::HessianPattern& pattern) override;
   Evaluation value(const Vector& x) override;
   Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
                            bool hessian) override;
   void add_hessian(double* values) const override;
+  int element_not_finite() const override;
   double max_step(const Vector& x, const Vector& dx, double limit) const override;
   bool has_barrier() const override { return !left_out_ && assembler_.energy().has_barrier(); }
 
@@ -59,6 +68,9 @@ class EnergyTerm final : public Term {
   assembly::EnergyAssembler assembler_;
   bool left_out_ = false;
 };
+
+/// Throws Error naming the term unless `dim` and `node_count`, its own, go with an objective's.
+void require_fitting(const char* term, int dim, int node_count, int objective_dim, int objective_node_count);
 
 struct SoftPin {
   int node = -1;
@@ -73,6 +85,7 @@ class SoftPinTerm final : public Term {
   // finite, or its weight is not positive.
   SoftPinTerm(int dim, int node_count, std::vector<SoftPin> pins);
 
+  void require_fits(int dim, int node_count) const override;
   void add_to(assembly::PatternBuilder& builder) const override;
   void bind(const assembly::HessianPattern& pattern) override;
   Evaluation value(const Vector& x) override;
@@ -82,6 +95,7 @@ class SoftPinTerm final : public Term {
 
  private:
   int dim_;
+  int node_count_;
   std::vector<SoftPin> pins_;
   const assembly::HessianPattern* pattern_ = nullptr;
 };

@@ -24,7 +24,7 @@ struct Target {
 // solution unique.
 struct Problem {
   assembly::Elements elements;    // linear: one quadrature point each; their weights are not used
-  std::vector<double> rotations;  // [element][dim * dim] row by row, determinant 1
+  std::vector<double> rotations;  // [element][dim * dim] column by column, as vec(F) is; see set_rotations()
   std::vector<double> weights;    // w, one an element: see unit_weights() and volume_weights()
   std::vector<Target> targets;    // every component of the elements needs one that holds it
   double alpha = 1e4;             // as published; E_ex is free of units, the targets' term has length^2.
@@ -34,6 +34,16 @@ struct Problem {
   // Largest singular value that F_i may have: with margin, bounded distortion (Lipman 2012; Kovalsky,
   // Aigerman, Basri, Lipman 2014), as [[b I, F_i], [F_i^T, b I]] >= 0. Only the interior point knows it.
   double largest_stretch = std::numeric_limits<double>::infinity();
+
+  /// Sets the ex-rotations from a range of one dim x dim matrix per element, of Eigen or of any type with
+  /// matrix(row, column). That they are rotations is checked by validate().
+  template <class Matrices>
+  void set_rotations(const Matrices& matrices) {
+    rotations.clear();
+    for (const auto& R : matrices)
+      for (int column = 0; column < dim(); ++column)
+        for (int row = 0; row < dim(); ++row) rotations.push_back(R(row, column));
+  }
 
   bool bounds_stretch() const { return largest_stretch < std::numeric_limits<double>::infinity(); }
   int dim() const { return elements.dim; }

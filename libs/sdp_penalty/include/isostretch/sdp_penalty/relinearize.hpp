@@ -55,8 +55,8 @@ RelinearizeSummary solve_relinearized(const Problem& problem, Vector& x,
 // S_i - margin I below 0. It does not know largest_stretch.
 Summary soft_answer(const Problem& problem, Vector& x, double soft_penalty, const Options& options = {});
 
-// Nearest rotations of F = sum x_a g_a^T, [element][dim * dim] row by row, determinant 1; the identity for a
-// collapsed element.
+// Nearest rotations of F = sum x_a g_a^T, [element][dim * dim] column by column, determinant 1; the identity
+// for a collapsed element.
 std::vector<double> nearest_rotations(const assembly::Elements& elements, const Vector& x);
 
 }  // namespace isostretch::sdp_penalty

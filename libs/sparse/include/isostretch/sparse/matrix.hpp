@@ -35,6 +35,7 @@ struct SymmetricMatrix {
   // at.
   void validate() const;
 
+  bool is_finite() const;  // all values
   // Throws Error naming row and column of the first value that is NaN or infinite.
   void require_finite() const;
 };

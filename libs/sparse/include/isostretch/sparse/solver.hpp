@@ -123,6 +123,7 @@ class Solver {
  private:
   void require_rows(Eigen::Index rows) const;
   void require_same_pattern(const SymmetricMatrix& A) const;
+  void log_analysis() const;
 
   enum class State { empty, analyzed, factorized };
   State state_ = State::empty;

@@ -22,17 +22,23 @@ struct ArrudaBoyce {
     visit("K", K, "volume stiffness");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("mu", mu >= 0, "must not be negative");
+    require("N", N > 0, "must be positive");
+    require("K", K >= 0, "must not be negative");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     using isostretch::pow;
     T y = I.I2 * pow(I.I3, -2.0 / Dim);
-    return mu * (series(y) - series(double(Dim))) + 0.5 * K * square(I.I3 - 1.0);
+    return mu * (series(y) - series(T(double(Dim)))) + 0.5 * K * square(I.I3 - 1.0);
   }
 
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
-    const T y = s.I2() * isochoric_factor(s);
-    return mu * (series(y) - series(double(Dim))) + 0.5 * K * square(s.J_minus_one());
+    return mu * series_excess<Dim>(isochoric_excess(s)) + 0.5 * K * square(s.J_minus_one());
   }
 
   template <int Dim, class T>
@@ -55,6 +61,21 @@ struct ArrudaBoyce {
   template <class T>
   ISOSTRETCH_INLINE T series(T y) const {
     return y * (c1 + y * (c2 / N + y * (c3 / (N * N) + y * (c4 / (N * N * N) + y * (c5 / (N * N * N * N))))));
+  }
+
+  // series(dim + excess) - series(dim), with y^k - dim^k = excess S_k, S_1 = 1, S_(k+1) = y S_k + dim^k.
+  template <int Dim, class T>
+  ISOSTRETCH_INLINE T series_excess(T excess) const {
+    const double coefficients[] = {c2 / N, c3 / (N * N), c4 / (N * N * N), c5 / (N * N * N * N)};
+    const T y = excess + double(Dim);
+    T quotient(1.0), sum(c1);
+    double power = 1;
+    for (const double c : coefficients) {
+      power *= Dim;
+      quotient = fma(y, quotient, T(power));
+      sum = fma(T(c), quotient, sum);
+    }
+    return excess * sum;
   }
 };
 

@@ -19,6 +19,12 @@ struct Corotational {
     visit("kappa", kappa, "resistance to change of trace");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("mu", mu >= 0, "must not be negative");
+    require("kappa", kappa >= -2 * mu / 3, "must be at least -2/3 mu");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     return mu * (I.I2 - 2.0 * I.I1 + double(Dim)) + 0.5 * kappa * square(I.I1 - double(Dim));

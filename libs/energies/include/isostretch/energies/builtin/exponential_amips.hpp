@@ -22,6 +22,12 @@ struct ExponentialAmips {
     visit("alpha", alpha, "share of the conformal term");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("sharpness", sharpness > 0, "must be positive");
+    require("alpha", alpha >= 0 && alpha <= 1, "must be between 0 and 1");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     using isostretch::exp;

@@ -18,6 +18,12 @@ struct FixedCorotational {
     visit("lambda", lambda, "first Lame parameter");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("mu", mu >= 0, "must not be negative");
+    require("lambda", lambda >= -2 * mu / 3, "must be at least -2/3 mu");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     return mu * (I.I2 - 2.0 * I.I1 + double(Dim)) + 0.5 * lambda * square(I.I3 - 1.0);

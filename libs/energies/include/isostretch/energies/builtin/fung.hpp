@@ -22,6 +22,13 @@ struct Fung {
     visit("K", K, "volume stiffness");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("mu", mu >= 0, "must not be negative");
+    require("b", b > 0, "must be positive");
+    require("K", K >= 0, "must not be negative");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     using isostretch::expm1;
@@ -32,14 +39,12 @@ struct Fung {
 
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
-    const T y = s.I2() * isochoric_factor(s);
-    return 0.5 * mu / b * expm1(b * (y - double(Dim))) + 0.5 * K * square(s.J_minus_one());
+    return 0.5 * mu / b * expm1(b * isochoric_excess(s)) + 0.5 * K * square(s.J_minus_one());
   }
 
   template <int Dim, class T>
   ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
-    const T y = s.I2() * isochoric_factor(s);
-    const T h1 = 0.5 * mu * exp(min(b * (y - double(Dim)), T(700.0)));
+    const T h1 = 0.5 * mu * exp(min(b * isochoric_excess(s), T(700.0)));
     isochoric_derivatives(s, h1, b * h1, K, d);
     d.psi = psi(s);
   }

@@ -19,6 +19,12 @@ struct Hencky {
     visit("lambda", lambda, "first Lame parameter");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("mu", mu >= 0, "must not be negative");
+    require("lambda", lambda >= -2 * mu / 3, "must be at least -2/3 mu");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
     T sum(0.0), L(0.0);

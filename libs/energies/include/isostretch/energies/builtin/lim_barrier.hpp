@@ -23,6 +23,14 @@ struct LimBarrier {
     visit("width", width, "width over which the barrier acts");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("mu", mu >= 0, "must not be negative");
+    require("weight", weight >= 0, "must not be negative");
+    require("epsilon", epsilon >= 0, "must not be negative");
+    require("width", width > 0, "must be positive");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     const T xi = min((I.I3 - epsilon) / width, T(1.0));

@@ -17,6 +17,11 @@ struct LogBarrier {
     visit("weight", weight, "stiffness");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("weight", weight >= 0, "must not be negative");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     using isostretch::log;

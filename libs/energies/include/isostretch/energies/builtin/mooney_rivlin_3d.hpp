@@ -22,6 +22,12 @@ struct MooneyRivlin3d {
     visit("K", K, "volume stiffness");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("c10", c10 + c01 >= 0, "plus c01 must not be negative");
+    require("K", K >= 0, "must not be negative");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     using isostretch::cbrt;
@@ -49,9 +55,8 @@ struct MooneyRivlin3d {
 
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
-    const T v = isochoric_factor(s);
-    return c10 * (v * s.I2() - 3.0) + c01 * (v * v * cofactor_norm(s) - 3.0) +
-           0.5 * K * square(s.J_minus_one());
+    const CubeRoots<T> roots(s);
+    return c10 * roots.excess() + c01 * roots.cofactor_excess() + 0.5 * K * square(s.J_minus_one());
   }
 
   template <int Dim, class T>

@@ -19,6 +19,12 @@ struct NeoHookeanLog {
     visit("lambda", lambda, "first Lame parameter");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("mu", mu >= 0, "must not be negative");
+    require("lambda", lambda >= -2 * mu / 3, "must be at least -2/3 mu");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     using isostretch::log;

@@ -19,6 +19,12 @@ struct StVenantKirchhoff {
     visit("kappa", kappa, "first Lame parameter");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("mu", mu >= 0, "must not be negative");
+    require("kappa", kappa >= -2 * mu / 3, "must be at least -2/3 mu");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     const T II_C =

@@ -19,6 +19,12 @@ struct StableNeoHookean {
     visit("lambda", lambda, "volume stiffness, Lame lambda + mu");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("mu", mu >= 0, "must not be negative");
+    require("lambda", lambda >= 0, "must not be negative");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     return 0.5 * mu * (I.I2 - double(Dim)) - mu * (I.I3 - 1.0) + 0.5 * lambda * square(I.I3 - 1.0);

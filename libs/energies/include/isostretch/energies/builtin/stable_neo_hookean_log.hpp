@@ -19,6 +19,12 @@ struct StableNeoHookeanLog {
     visit("lambda", lambda, "volume stiffness");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("mu", mu >= 0, "must not be negative");
+    require("lambda", lambda > 0, "must be positive");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     using isostretch::log;

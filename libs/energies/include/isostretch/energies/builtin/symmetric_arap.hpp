@@ -18,6 +18,11 @@ struct SymmetricArap {
     visit("mu", mu, "stiffness");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("mu", mu >= 0, "must not be negative");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     if constexpr (Dim == 2) {

@@ -20,6 +20,11 @@ struct SymmetricDirichlet {
     visit("weight", weight, "1: |F|^2 + |F^-1|^2; 0.5: half of it");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("weight", weight >= 0, "must not be negative");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     if constexpr (Dim == 2) {

@@ -15,6 +15,11 @@ struct VolumeQuadratic {
     visit("weight", weight, "stiffness");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("weight", weight >= 0, "must not be negative");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     return weight * square(I.I3 - 1.0);

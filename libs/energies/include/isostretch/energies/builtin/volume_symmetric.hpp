@@ -16,6 +16,11 @@ struct VolumeSymmetric {
     visit("weight", weight, "stiffness");
   }
 
+  template <class Require>
+  void require_parameters(Require&& require) const {
+    require("weight", weight >= 0, "must not be negative");
+  }
+
   template <int Dim, class T>
   ISOSTRETCH_INLINE T psi(const Invariants<Dim, T>& I) const {
     return 0.5 * weight * (I.I3 + 1.0 / I.I3 - 2.0);
