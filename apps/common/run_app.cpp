@@ -1,5 +1,6 @@
 #include "common/run_app.hpp"
 
+#include "common/choice_names.hpp"
 #include "common/energy_plugin.hpp"
 #include "common/interrupt.hpp"
 #include "common/threads.hpp"
@@ -19,6 +20,16 @@ namespace {
 void declare_common(CLI::App& cli, CommonOptions& options) {
   auto* quiet = cli.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
   cli.add_flag("-v,--verbose", options.verbose, "Print debug messages and the full report")->excludes(quiet);
+  cli.add_option_function<std::string>(
+         "--log-level",
+         [&options](const std::string& name) { options.log_level = log_level_from_name(name); },
+         "Messages on stderr, and in the file, from this level on: " + listed(log_level_names()))
+      ->check(CLI::IsMember(log_level_names()))
+      ->type_name("LEVEL");
+  cli.add_option(
+         "--log-file", options.log_file,
+         "Write messages there, too, with time: debug ones and above unless --log-level says otherwise")
+      ->type_name("FILE");
   cli.add_option("--threads", options.threads, "Threads of parallel loops; results do not depend on it")
       ->check(whole_number_between(1, 1024))
       ->type_name("N");
@@ -51,7 +62,7 @@ ExitCode parse_and_run(int argc, const char* const* argv, const AppDescription& 
     cli.exit(error, std::cout, std::cerr);
     return ExitCode::success;
   }
-  start_logging(options.verbosity());
+  failing_with(ExitCode::output, [&] { start_logging(options.logging()); });
   set_threads(options.threads);
   failing_with(ExitCode::command_line, [] { active_isa(); });  // ISOSTRETCH_ISA may ask for the impossible
   catch_interrupts();

@@ -13,15 +13,17 @@ class App;
 
 namespace isostretch::app {
 
-// Options every app has: --quiet, --verbose, --threads, --plugin, --version.
+// Options every app has: --quiet, --verbose, --log-level, --log-file, --threads, --plugin, --version.
 struct CommonOptions {
   bool quiet = false;
   bool verbose = false;
+  std::optional<LogLevel> log_level;
+  std::filesystem::path log_file;
   int threads = 0;                   // 0: as OpenMP likes
   std::vector<std::string> plugins;  // loaded by then
 
-  Verbosity verbosity() const {
-    return quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal;
+  Logging logging() const {
+    return {quiet ? Verbosity::quiet : verbose ? Verbosity::verbose : Verbosity::normal, log_level, log_file};
   }
 };
 

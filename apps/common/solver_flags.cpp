@@ -53,7 +53,7 @@ void SolverFlags::declare(CLI::App& cli, const std::string& unit) {
       ->default_str(std::to_string(defaults.max_iterations));
   cli.add_option("--max-expansion", max_expansion_,
                  "Lengthen steps that gain more than promised up to this; 1: never")
-      ->check(CLI::Range(1.0, 1e6))
+      ->check(number_between(1.0, 1e6))
       ->type_name("X")
       ->default_str(to_text(defaults.max_expansion));
   cli.add_option("--time-limit", time_limit_, "Stop after so many seconds; 0: no limit")
@@ -69,7 +69,7 @@ void SolverFlags::declare(CLI::App& cli, const std::string& unit) {
       ->default_str(std::string(sparse::preconditioner_name(defaults.solver.pcg_preconditioner)));
   cli.add_option("--largest-forcing", largest_forcing_,
                  "Of iterative solvers: relative residual at first; 0: always full accuracy")
-      ->check(CLI::Range(0.0, 0.99))
+      ->check(number_between(0.0, 0.99))
       ->type_name("X")
       ->default_str(to_text(defaults.largest_forcing));
 }

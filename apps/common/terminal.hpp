@@ -1,15 +1,35 @@
 #pragma once
 
+#include <isostretch/core/log.hpp>
+
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace isostretch::app {
 
 enum class Verbosity { quiet, normal, verbose };
 
-// Sends the log of the libraries and of the app to stderr through spdlog: errors only when quiet, debug
-// messages too when verbose. Call once at the start.
-void start_logging(Verbosity verbosity);
+/// Where messages of the app and of the libraries go.
+struct Logging {
+  Verbosity verbosity = Verbosity::normal;
+  /// On stderr, from this level on; unset: errors when quiet, debug messages and above when verbose, else
+  /// notices.
+  std::optional<LogLevel> level;
+  /// Gets all messages of debug level and above, or of `level` and above if that is set, with time; empty:
+  /// none.
+  std::filesystem::path file;
+};
+
+/// Sends the log of the libraries and of the app to stderr, and to the file, through spdlog. To call once at
+/// the start. Throws Error naming the file when it cannot be written.
+void start_logging(const Logging& logging);
+
+/// Returns the levels by name: trace, debug, info, warning, error.
+std::vector<std::string> log_level_names();
+LogLevel log_level_from_name(const std::string& name);
 
 void log_debug(std::string_view message);
 void notice(std::string_view message);

@@ -2,6 +2,8 @@
 
 #include "common/numbers.hpp"
 
+#include <isostretch/core/to_text.hpp>
+
 #include <string>
 
 namespace isostretch::app {
@@ -27,6 +29,17 @@ CLI::Validator positive() {
             return value && *value > 0 ? std::string() : in_quotes(text) + " is not a number > 0";
           },
           "NUMBER>0"};
+}
+
+CLI::Validator number_between(double lowest, double highest) {
+  const std::string range = to_text(lowest) + " to " + to_text(highest);
+  return {[=](std::string& text) {
+            const auto value = finite_number(text);
+            return value && *value >= lowest && *value <= highest
+                       ? std::string()
+                       : in_quotes(text) + " is not a number from " + range;
+          },
+          range};
 }
 
 CLI::Validator whole_number_between(int lowest, int highest) {

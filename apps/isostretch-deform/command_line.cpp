@@ -55,7 +55,7 @@ void CommandLine::declare_scene(CLI::App& cli) {
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
   cli.add_option("--young", young_, "Young's modulus")->check(positive())->type_name("E");
-  cli.add_option("--poisson", poisson_, "Poisson's ratio")->check(CLI::Range(-1.0, 0.5))->type_name("NU");
+  cli.add_option("--poisson", poisson_, "Poisson's ratio")->check(number_between(-1.0, 0.5))->type_name("NU");
   cli.add_flag_callback(
          "--list-energies",
          [] {

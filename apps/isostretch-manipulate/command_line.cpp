@@ -102,12 +102,12 @@ void CommandLine::declare_problem(CLI::App& cli) {
       ->default_str("0");
   cli.add_option("--margin", margin_, "Least eigenvalue that S may have, below 1")
       ->check(not_negative())
-      ->check(CLI::Range(0.0, 0.999999))
+      ->check(number_between(0.0, 0.999999))
       ->type_name("X")
       ->default_str("0");
   cli.add_option("--largest-stretch", largest_stretch_, "Largest factor by which a length may grow, above 1")
       ->check(positive())
-      ->check(CLI::Range(1.000001, 1e300))
+      ->check(number_between(1.000001, 1e300))
       ->type_name("X")
       ->default_str("none");
   cli.add_option("--relinearize", relinearize_,
@@ -132,7 +132,7 @@ void CommandLine::declare_solvers(CLI::App& cli) {
       ->default_str(std::string(sdp_penalty::penalty_name(sdp_penalty::PenaltyOptions().penalty)));
   cli.add_option("--gap", gap_, "Stop when nothing better by more than this share exists")
       ->check(positive())
-      ->check(CLI::Range(1e-16, 0.999999))
+      ->check(number_between(1e-16, 0.999999))
       ->type_name("X")
       ->default_str("1e-6");
   cli.add_option("--max-iterations", max_iterations_, "Of a frame")

@@ -55,7 +55,7 @@ void CommandLine::declare_cut(CLI::App& cli) {
       ->capture_default_str();
   cli.add_option("--max-distortion", max_distortion_,
                  "Cut further until no length is stretched or shrunk by more than this factor")
-      ->check(CLI::Range(1.001, 1e12))
+      ->check(number_between(1.001, 1e12))
       ->type_name("X");
   cli.add_option("--max-cuts", max_cuts_, "Cuts that --max-distortion may add")
       ->check(whole_number_between(0, 1'000'000))
@@ -79,7 +79,7 @@ void CommandLine::declare_layout(CLI::App& cli) {
       ->type_name("HOW")
       ->capture_default_str();
   cli.add_option("--margin", margin_, "Space around packed charts, as a fraction of the square")
-      ->check(CLI::Range(0.0, 0.25))
+      ->check(number_between(0.0, 0.25))
       ->type_name("X")
       ->capture_default_str();
 }
