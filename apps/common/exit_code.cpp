@@ -9,8 +9,8 @@ std::string exit_code_help() {
          "  2  wrong command line\n"
          "  3  input unreadable or not usable\n"
          "  4  output cannot be written\n"
-         "  5  stopped before converging (iterations, time, Ctrl-C); the best state is written\n"
-         "  6  the solver failed or the result has flipped elements; the best state is written";
+         "  5  stopped early (iterations, time, Ctrl-C); the best state is written\n"
+         "  6  the solver failed, or elements are flipped; the best state is written";
 }
 
 }  // namespace isostretch::app

@@ -2,6 +2,7 @@
 
 #include "common/choice_names.hpp"
 #include "common/energy_plugin.hpp"
+#include "common/help.hpp"
 #include "common/interrupt.hpp"
 #include "common/threads.hpp"
 #include "common/validators.hpp"
@@ -12,19 +13,22 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 
 namespace isostretch::app {
 namespace {
 
 void declare_common(CLI::App& cli, CommonOptions& options) {
+  cli.option_defaults()->group("Messages and machine");
+  cli.get_help_ptr()->group("Messages and machine");
   auto* quiet = cli.add_flag("-q,--quiet", options.quiet, "Print nothing but errors");
   cli.add_flag("-v,--verbose", options.verbose, "Print debug messages and the full report")->excludes(quiet);
   cli.add_option_function<std::string>(
          "--log-level",
          [&options](const std::string& name) { options.log_level = log_level_from_name(name); },
          "Messages on stderr, and in the file, from this level on: " + listed(log_level_names()))
-      ->check(CLI::IsMember(log_level_names()))
+      ->check(one_of(log_level_names()))
       ->type_name("LEVEL");
   cli.add_option(
          "--log-file", options.log_file,
@@ -46,11 +50,12 @@ void declare_common(CLI::App& cli, CommonOptions& options) {
       ->trigger_on_parse()
       ->type_name("FILE");
   cli.set_version_flag("--version", "isostretch " + std::string(version_string));
-  cli.footer("\n" + exit_code_help());
 }
 
 ExitCode parse_and_run(int argc, const char* const* argv, const AppDescription& description) {
   CLI::App cli(description.purpose, description.name);
+  cli.formatter(std::make_shared<HelpFormatter>());
+  cli.footer(example_help(description.examples) + exit_code_help());
   CommonOptions options;
   description.declare(cli);
   declare_common(cli, options);

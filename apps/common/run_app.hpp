@@ -30,6 +30,7 @@ struct CommonOptions {
 struct AppDescription {
   std::string name;
   std::string purpose;
+  std::vector<std::string> examples;                           // of command lines, for --help
   std::function<void(CLI::App&)> declare;                      // adds the app's own options
   std::function<ExitCode(const CommonOptions& options)> body;  // the work, when they are read
 };

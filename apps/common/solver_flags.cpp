@@ -37,10 +37,11 @@ std::vector<std::string> preconditioner_names() {
 }  // namespace
 
 void SolverFlags::declare(CLI::App& cli, const std::string& unit) {
+  cli.option_defaults()->group("Solver");
   const newton::Options defaults;
   cli.add_option("--projection", projection_,
                  "How the Hessian is made definite: " + listed(newton::projection_names()))
-      ->check(CLI::IsMember(newton::projection_names()))
+      ->check(one_of(newton::projection_names()))
       ->type_name("NAME")
       ->default_str(std::string(newton::projection_name(defaults.projection)));
   cli.add_option("--grad-tol", gradient_tolerance_,
@@ -64,7 +65,7 @@ void SolverFlags::declare(CLI::App& cli, const std::string& unit) {
       ->type_name("NAME")
       ->default_str("automatic");
   cli.add_option("--preconditioner", preconditioner_, "Of --solver pcg: " + listed(preconditioner_names()))
-      ->check(CLI::IsMember(preconditioner_names()))
+      ->check(one_of(preconditioner_names()))
       ->type_name("NAME")
       ->default_str(std::string(sparse::preconditioner_name(defaults.solver.pcg_preconditioner)));
   cli.add_option("--largest-forcing", largest_forcing_,

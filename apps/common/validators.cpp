@@ -1,9 +1,11 @@
 #include "common/validators.hpp"
 
+#include "common/choice_names.hpp"
 #include "common/numbers.hpp"
 
 #include <isostretch/core/to_text.hpp>
 
+#include <algorithm>
 #include <string>
 
 namespace isostretch::app {
@@ -20,7 +22,7 @@ CLI::Validator not_negative() {
             const auto value = finite_number(text);
             return value && *value >= 0 ? std::string() : in_quotes(text) + " is not a number >= 0";
           },
-          "NUMBER>=0"};
+          ""};
 }
 
 CLI::Validator positive() {
@@ -28,7 +30,7 @@ CLI::Validator positive() {
             const auto value = finite_number(text);
             return value && *value > 0 ? std::string() : in_quotes(text) + " is not a number > 0";
           },
-          "NUMBER>0"};
+          ""};
 }
 
 CLI::Validator number_between(double lowest, double highest) {
@@ -39,7 +41,7 @@ CLI::Validator number_between(double lowest, double highest) {
                        ? std::string()
                        : in_quotes(text) + " is not a number from " + range;
           },
-          range};
+          ""};
 }
 
 CLI::Validator whole_number_between(int lowest, int highest) {
@@ -50,7 +52,16 @@ CLI::Validator whole_number_between(int lowest, int highest) {
                        ? std::string()
                        : in_quotes(text) + " is not a whole number from " + range;
           },
-          range};
+          ""};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  return {[=](std::string& text) {
+            return std::find(names.begin(), names.end(), text) != names.end()
+                       ? std::string()
+                       : in_quotes(text) + " is none of " + listed(names);
+          },
+          ""};
 }
 
 }  // namespace isostretch::app

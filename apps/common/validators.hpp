@@ -2,14 +2,19 @@
 
 #include <CLI/CLI.hpp>
 
+#include <string>
+#include <vector>
+
 namespace isostretch::app {
 
 // Checks for options of CLI11, which takes "nan" and "1e400" for numbers on its own and "nan" for one in any
 // range. Every numeric option of an app has one of these; all of them read by finite_number() and
 // whole_number().
+// They have no description of their own for --help: what an option takes is said there.
 CLI::Validator not_negative();
 CLI::Validator positive();
 CLI::Validator number_between(double lowest, double highest);
 CLI::Validator whole_number_between(int lowest, int highest);
+CLI::Validator one_of(const std::vector<std::string>& names);
 
 }  // namespace isostretch::app

@@ -54,6 +54,7 @@ void CommandLine::declare(CLI::App& cli) {
 }
 
 void CommandLine::declare_problems(CLI::App& cli) {
+  cli.option_defaults()->group("Problems and results");
   auto* meshes =
       cli.add_option("mesh", meshes_, "Surfaces to flatten, disks: OBJ, OFF, PLY, STL, MSH, MESH, VTK or VTU")
           ->type_name("MESH");
@@ -88,6 +89,7 @@ void CommandLine::declare_problems(CLI::App& cli) {
 }
 
 void CommandLine::declare_methods(CLI::App& cli) {
+  cli.option_defaults()->group("Methods and limits");
   const Limits defaults;
   cli.add_option("-m,--method", methods_, "These only, names with commas; --list-methods shows all")
       ->type_name("NAME[,NAME...]")

@@ -30,6 +30,7 @@ void CommandLine::declare(CLI::App& cli) {
 }
 
 void CommandLine::declare_files(CLI::App& cli) {
+  cli.option_defaults()->group("Files");
   std::string input_help = "Tets (MSH, MESH, VTK, VTU), a surface in the plane z = 0, or a scene (JSON)";
   cli.add_option("input", input_, input_help)->required()->type_name("FILE");
   cli.add_option("-o,--out", out_, "Folder for frames, summary.json, trace.csv, deform.png, report.html")
@@ -40,13 +41,14 @@ void CommandLine::declare_files(CLI::App& cli) {
       ->check(whole_number_between(0, 1'000'000))
       ->type_name("N");
   cli.add_option("--format", format_, "Of the frames: " + listed(all_names(frame_format_names)))
-      ->check(CLI::IsMember(all_names(frame_format_names)))
+      ->check(one_of(all_names(frame_format_names)))
       ->type_name("NAME")
       ->default_str("vtu");
   cli.add_flag("--no-picture", no_picture_, "Do not draw deform.png, and write no report.html");
 }
 
 void CommandLine::declare_scene(CLI::App& cli) {
+  cli.option_defaults()->group("Scene");
   cli.add_option("-e,--energy", energy_, "Distortion energy; --list-energies shows all")
       ->type_name("NAME")
       ->default_str("arap");
@@ -72,7 +74,7 @@ void CommandLine::declare_scene(CLI::App& cli) {
       ->type_name("N")
       ->default_str(std::to_string(10));
   cli.add_option("--guess", guess_, "Start of every frame: " + listed(all_names(guess_names)))
-      ->check(CLI::IsMember(all_names(guess_names)))
+      ->check(one_of(all_names(guess_names)))
       ->type_name("NAME")
       ->default_str(name_of(guess_names, Guess::biharmonic));
   cli.add_option("--order", order_, "2: quadratic elements of the file's linear ones")

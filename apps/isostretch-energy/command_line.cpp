@@ -3,6 +3,7 @@
 #include "common/energy_choice.hpp"
 #include "common/exit_code.hpp"
 #include "common/numbers.hpp"
+#include "common/validators.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -23,6 +24,7 @@ Range parse_range(const std::string& text) {
 }  // namespace
 
 void CommandLine::declare(CLI::App& cli) {
+  cli.option_defaults()->group("Energy and results");
   cli.add_option("energy", energy_,
                  "Name of an energy (--list-energies shows all) or an expression such as 'mu/2*(I2-d) - "
                  "mu*log(J)'; one that begins with a minus goes after --")
@@ -33,7 +35,7 @@ void CommandLine::declare(CLI::App& cli) {
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
   cli.add_option("--dim", dimensions_, "Of the body: " + listed(all_names(dimension_names)))
-      ->check(CLI::IsMember(all_names(dimension_names)))
+      ->check(one_of(all_names(dimension_names)))
       ->type_name("DIM")
       ->capture_default_str();
   cli.add_option("--range", range_, "Stretches to look at, around 1")

@@ -29,6 +29,7 @@ void CommandLine::declare(CLI::App& cli) {
 }
 
 void CommandLine::declare_files(CLI::App& cli) {
+  cli.option_defaults()->group("Files");
   cli.add_option("first", first_, "First pose: tets (MSH, MESH, VTK, VTU) or a surface in the plane z = 0")
       ->required()
       ->type_name("FILE");
@@ -43,13 +44,14 @@ void CommandLine::declare_files(CLI::App& cli) {
       ->type_name("N")
       ->capture_default_str();
   cli.add_option("--format", format_, "Of the frames: " + listed(all_names(frame_format_names)))
-      ->check(CLI::IsMember(all_names(frame_format_names)))
+      ->check(one_of(all_names(frame_format_names)))
       ->type_name("NAME")
       ->capture_default_str();
   cli.add_flag("--no-picture", no_pictures_, "Do not draw interpolation.png and energy.png");
 }
 
 void CommandLine::declare_energy(CLI::App& cli) {
+  cli.option_defaults()->group("Energy and start");
   cli.add_option("-e,--energy", energy_, "Distortion energy; --list-energies shows all")
       ->type_name("NAME")
       ->capture_default_str();
@@ -66,7 +68,7 @@ void CommandLine::declare_energy(CLI::App& cli) {
          "List the energies and their parameters, and exit")
       ->trigger_on_parse();
   cli.add_option("--guess", guess_, "Start of every frame: " + listed(all_names(guess_names)))
-      ->check(CLI::IsMember(all_names(guess_names)))
+      ->check(one_of(all_names(guess_names)))
       ->type_name("NAME")
       ->capture_default_str();
 }

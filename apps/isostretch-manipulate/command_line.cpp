@@ -48,7 +48,7 @@ template <class Choice, std::size_t N>
 void add_choice(CLI::App& cli, const std::string& flag, std::optional<std::string>& value,
                 const ChoiceNames<Choice, N>& names, const std::string& help, const std::string& otherwise) {
   cli.add_option(flag, value, help + listed(all_names(names)))
-      ->check(CLI::IsMember(all_names(names)))
+      ->check(one_of(all_names(names)))
       ->type_name("NAME")
       ->default_str(otherwise);
 }
@@ -63,6 +63,7 @@ void CommandLine::declare(CLI::App& cli) {
 }
 
 void CommandLine::declare_files(CLI::App& cli) {
+  cli.option_defaults()->group("Files");
   cli.add_option("input", input_,
                  "Tets (MSH, MESH, VTK, VTU), a surface in the plane z = 0, or a scene (JSON)")
       ->type_name("FILE");
@@ -82,6 +83,7 @@ void CommandLine::declare_files(CLI::App& cli) {
 }
 
 void CommandLine::declare_problem(CLI::App& cli) {
+  cli.option_defaults()->group("Problem");
   cli.add_option("--handle", handles_, handle_help(Holding::soft) + "May be repeated")
       ->allow_extra_args(false)
       ->type_name("HANDLE");
@@ -122,12 +124,13 @@ void CommandLine::declare_problem(CLI::App& cli) {
 }
 
 void CommandLine::declare_solvers(CLI::App& cli) {
+  cli.option_defaults()->group("Solver and rivals");
   cli.add_option("--method", method_, listed(method_names()))
-      ->check(CLI::IsMember(method_names()))
+      ->check(one_of(method_names()))
       ->type_name("NAME")
       ->default_str(std::string(sdp_penalty::method_name(sdp_penalty::Options().method)));
   cli.add_option("--penalty", penalty_, "Of --method penalty: " + listed(penalty_names()))
-      ->check(CLI::IsMember(penalty_names()))
+      ->check(one_of(penalty_names()))
       ->type_name("NAME")
       ->default_str(std::string(sdp_penalty::penalty_name(sdp_penalty::PenaltyOptions().penalty)));
   cli.add_option("--gap", gap_, "Stop when nothing better by more than this share exists")
@@ -139,7 +142,7 @@ void CommandLine::declare_solvers(CLI::App& cli) {
       ->check(whole_number_between(1, 1'000'000'000))
       ->type_name("N");
   cli.add_option("--solver", solver_, "Instead of a method, one of the rivals: " + listed(solver_names()))
-      ->check(CLI::IsMember(solver_names()))
+      ->check(one_of(solver_names()))
       ->type_name("NAME");
   auto* compare =
       cli.add_option(
@@ -165,6 +168,7 @@ void CommandLine::declare_solvers(CLI::App& cli) {
 }
 
 void CommandLine::declare_photo(CLI::App& cli) {
+  cli.option_defaults()->group("Photograph");
   cli.add_option("--photo", photo_, "Picture (PNG) that the mesh covers; drawn deformed with every frame")
       ->type_name("FILE");
   cli.add_option("--photo-cells", photo_cells_,

@@ -11,6 +11,8 @@ int main(int argc, char** argv) {
        .purpose =
            "Moves and turns parts of a body and lets the rest follow without an inverted element, with a "
            "proof of how close to the best possible.",
+       .examples = {"isostretch-manipulate body.msh --handle \"slab:y,min,0.05\" --handle "
+                    "\"slab:y,max,0.1;rotate=0,1,0:180\" --out out"},
        .declare = [&](CLI::App& cli) { command_line.declare(cli); },
        .body =
            [&](const CommonOptions& common) {

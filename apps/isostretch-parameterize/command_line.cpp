@@ -21,6 +21,7 @@ void CommandLine::declare(CLI::App& cli) {
 }
 
 void CommandLine::declare_files(CLI::App& cli) {
+  cli.option_defaults()->group("Files");
   cli.add_option("model", model_, "Surface to flatten: OBJ, OFF, PLY, STL, MSH, MESH, VTK or VTU")
       ->required()
       ->type_name("FILE");
@@ -40,13 +41,14 @@ void CommandLine::declare_files(CLI::App& cli) {
 }
 
 void CommandLine::declare_cut(CLI::App& cli) {
+  cli.option_defaults()->group("Cutting open");
   cli.add_flag("--no-cut", no_cut_, "Refuse what is not a disk instead of cutting it open");
   cli.add_option("--seams", seams_, "Cut where the input's uv is cut, or ignore it: input, ignore")
-      ->check(CLI::IsMember({"input", "ignore"}))
+      ->check(one_of({"input", "ignore"}))
       ->type_name("WHICH")
       ->capture_default_str();
   cli.add_option("--holes", holes_, "Boundary loops inside to keep as holes, not cut to: short, none, all")
-      ->check(CLI::IsMember(all_names(holes_names)))
+      ->check(one_of(all_names(holes_names)))
       ->type_name("WHICH")
       ->capture_default_str();
   cli.add_option("--cut-tips", cut_tips_, "Ends of the cut that opens a closed surface of genus 0, at most")
@@ -64,10 +66,11 @@ void CommandLine::declare_cut(CLI::App& cli) {
 }
 
 void CommandLine::declare_layout(CLI::App& cli) {
+  cli.option_defaults()->group("Layout");
   cli.add_option(
          "--boundary", boundary_,
          "free; fixed where the start has it; held on a circle or square: free, fixed, circle, square")
-      ->check(CLI::IsMember(all_names(boundary_names)))
+      ->check(one_of(all_names(boundary_names)))
       ->type_name("SHAPE")
       ->capture_default_str();
   cli.add_option("--corners", corners_, "Four boundary vertices for the corners of the square, in order")
@@ -75,7 +78,7 @@ void CommandLine::declare_layout(CLI::App& cli) {
   cli.add_option(
          "--pack", pack_,
          "square: charts side by side in the unit square; none: where they are; auto: square for several")
-      ->check(CLI::IsMember(all_names(pack_names)))
+      ->check(one_of(all_names(pack_names)))
       ->type_name("HOW")
       ->capture_default_str();
   cli.add_option("--margin", margin_, "Space around packed charts, as a fraction of the square")
@@ -85,6 +88,7 @@ void CommandLine::declare_layout(CLI::App& cli) {
 }
 
 void CommandLine::declare_energy(CLI::App& cli) {
+  cli.option_defaults()->group("Energy");
   cli.add_option("-e,--energy", energy_, "Distortion energy; --list-energies shows all")
       ->type_name("NAME")
       ->capture_default_str();
@@ -103,6 +107,7 @@ void CommandLine::declare_energy(CLI::App& cli) {
 }
 
 void CommandLine::declare_pins(CLI::App& cli) {
+  cli.option_defaults()->group("Pins");
   cli.add_option("--pin", pins_,
                  "Keep a vertex (counted from 0) in its initial place, or put it at U,V; may be "
                  "repeated")
@@ -122,7 +127,7 @@ void CommandLine::declare_pins(CLI::App& cli) {
 
 void CommandLine::declare_solve(CLI::App& cli) {
   cli.add_option("--initial", initial_, "Start from Tutte's embedding or the input's uv: tutte, input")
-      ->check(CLI::IsMember(all_names(initial_names)))
+      ->check(one_of(all_names(initial_names)))
       ->type_name("START")
       ->capture_default_str();
   solver_flags_.declare(cli, ", with total area 1");

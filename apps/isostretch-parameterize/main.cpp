@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
       {.name = "isostretch-parameterize",
        .purpose =
            "Flattens a surface with as little distortion as an energy allows, without flipped triangles.",
+       .examples = {"isostretch-parameterize model.obj --max-distortion 2 --out out"},
        .declare = [&](CLI::App& cli) { command_line.declare(cli); },
        .body =
            [&](const CommonOptions& common) {

@@ -30,7 +30,7 @@ TEST_CASE("numbers are taken whole or not at all") {
   CHECK(whole_number("12") == 12);
   for (const char* text : {"", "1.0", "99999999999", "1e3"}) CHECK_MESSAGE(!whole_number(text), text);
   CHECK(split("a,,b", ',') == std::vector<std::string>{"a", "", "b"});
-  CHECK(std::stod(to_text(0.1 + 0.2)) == 0.1 + 0.2);
+  CHECK(std::stod(isostretch::to_text(0.1 + 0.2)) == 0.1 + 0.2);
 }
 
 TEST_CASE("axes have a few round ticks inside their range") {

@@ -91,4 +91,37 @@ TEST_SUITE("energies of one's own") {
     CHECK(twice.code == 2);
     CHECK(twice.err.find("there is an energy 'my_symmetric_dirichlet' already") != std::string::npos);
   }
+
+  TEST_CASE("an energy without a minimum ends with a status that says why, and the best state is written") {
+    for (const std::string energy : {"-log(J)", "-I2", "-J", "-I1", "-exp(I1)"}) {
+      CAPTURE(energy);
+      const Scratch scratch;
+      const std::string mesh = scratch.path("face.obj"), out = scratch.path("out");
+      mesh::write_obj(mesh, mesh::procedural_face(3));
+      const Outcome outcome = parameterize({mesh, "-o", out, "--no-picture", "-e", energy});
+      CHECK_MESSAGE(outcome.code == 6, outcome.err);
+      CHECK(outcome.err.find("internal") == std::string::npos);
+      CHECK(outcome.err.find("0.000000") == std::string::npos);
+      const mesh::SurfaceMesh written = mesh::read_obj(out + "/face_uv.obj");
+      CHECK(written.uv.allFinite());
+    }
+  }
+
+  TEST_CASE("--log-file gets what the libraries say") {
+    const Scratch scratch;
+    const std::string mesh = scratch.path("face.obj"), file = scratch.path("log.txt");
+    mesh::write_obj(mesh, mesh::procedural_face(5));
+    const Outcome outcome =
+        parameterize({mesh, "-o", scratch.path("out"), "--no-picture", "--log-file", file});
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.find("debug") == std::string::npos);
+    std::ifstream in(file);
+    const std::string text((std::istreambuf_iterator<char>(in)), {});
+    CHECK(text.find("debug: newton: ") != std::string::npos);
+    CHECK(text.find("debug: sparse: ") != std::string::npos);
+    CHECK(text.find("trace") == std::string::npos);
+    const Outcome traced =
+        parameterize({mesh, "-o", scratch.path("out2"), "--no-picture", "--log-level", "trace"});
+    CHECK(traced.err.find("trace: newton: iteration 1: energy") != std::string::npos);
+  }
 }

@@ -88,7 +88,7 @@ def symmetric_gradient(s):
 
 
 def volume_quadratic(s, weight):
-    return weight / 2 * (invariants(s)[2] - 1) ** 2
+    return weight * (invariants(s)[2] - 1) ** 2
 
 
 def volume_symmetric(s, weight):
@@ -214,10 +214,10 @@ def in_domain(J, bound):
 
 
 def sensitivity(psi, bound, F, d, value, grad, H, HP, rng):
-    """The largest change under two random perturbations of every entry by half a unit in the last place of |F|."""
+    """The largest change under six random perturbations of every entry by half a unit in the last place of |F|."""
     eps = mp.mpf(2) ** -53 * norm([mp.mpf(x) for x in F])
     worst = {"psi": mp.mpf(0), "grad": mp.mpf(0), "H": mp.mpf(0), "HP": mp.mpf(0)}
-    for _ in range(2):
+    for _ in range(6):
         moved = [mp.mpf(x) + (1 if rng.random() < 0.5 else -1) * eps for x in F]
         if not in_domain(determinant(moved, d), bound):
             return None

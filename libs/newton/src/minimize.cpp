@@ -230,7 +230,9 @@ class Minimizer {
       }
       if (++shifts > options_.max_shifts)
         return end(Status::failed_factorization,
-                   "the Hessian is not positive definite with a diagonal shift of " + to_text(shift));
+                   typical_stiffness_ > 0
+                       ? "the Hessian is not positive definite with a diagonal shift of " + to_text(shift)
+                       : "the Hessian is zero where it is not negative: no step can be told from it");
       shift = std::max(100 * shift, 1e-12 * typical_stiffness_);
       log(LogLevel::debug, [&] {
         return "newton: iteration " + std::to_string(row.iteration) +
