@@ -30,7 +30,8 @@ void CommandLine::declare_files(CLI::App& cli) {
       ->type_name("FOLDER");
   cli.add_flag("--check", check_,
                "Only print what is wrong with the model, element by element, and its topology");
-  cli.add_flag("--triangulate", triangulate_, "Cut faces of more than three corners into fans");
+  cli.add_flag("--triangulate", triangulate_,
+               "Accepted for old scripts: faces of more than three corners are always cut");
   cli.add_flag(
       "--repair", repair_,
       "Orient triangles alike, drop duplicate and degenerate ones, split vertices where sheets touch");
@@ -181,7 +182,6 @@ Options CommandLine::options() const {
     options.model = model_;
     options.out = out_;
     options.initial = choice_of(initial_names, initial_);
-    options.triangulate = triangulate_;
     options.repair = repair_;
     options.cut = !no_cut_;
     options.input_seams = seams_ == "input";

@@ -44,8 +44,8 @@ bool repair_would_help(mesh::SurfaceMesh mesh) {
 Domain read_input(const Options& options) {
   Domain domain;
   const bool with_uv = options.initial == Initial::input || options.input_seams;
-  domain.input = mesh::read_surface(options.model.string(),
-                                    {.triangulate_polygons = options.triangulate, .read_uv = with_uv});
+  domain.input =
+      mesh::read_surface(options.model.string(), {.leave_out_faces = options.repair, .read_uv = with_uv});
   if (options.repair) naming_file(options.model, [&] { repair_input(domain); });
   return domain;
 }

@@ -39,7 +39,6 @@ struct Options {
   std::filesystem::path out;
   Initial initial = Initial::tutte;
   bool check = false;  // only say what is wrong with the model
-  bool triangulate = false;
   bool repair = false;
   bool cut = true;
   bool input_seams = true;  // cut where the input's uv does

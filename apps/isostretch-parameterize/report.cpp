@@ -57,7 +57,6 @@ Json options_json(const Options& options) {
           {"boundary", name_of(boundary_names, options.boundary)},
           {"corners", options.corners},
           {"aligned", aligned_json(options)},
-          {"triangulate", options.triangulate},
           {"repair", options.repair},
           {"cut", options.cut},
           {"input_seams", options.input_seams},

@@ -16,7 +16,7 @@ namespace isostretch::mesh::fuzz {
 inline ReadOptions options_from(std::string_view contents) {
   const unsigned last = contents.empty() ? 0 : static_cast<unsigned char>(contents.back());
   ReadOptions options;
-  options.triangulate_polygons = (last & 1u) != 0;
+  options.leave_out_faces = (last & 1u) != 0;
   options.read_uv = (last & 2u) != 0;
   options.weld = (last & 4u) == 0;
   options.weld_tolerance = (last & 8u) != 0 ? 1e-3 : 0;

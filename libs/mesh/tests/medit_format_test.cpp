@@ -41,9 +41,7 @@ TEST_CASE("MEDIT: other sections, any case, elements before vertices, no end") {
 
 TEST_CASE("MEDIT: quadrilaterals are polygons") {
   const std::string text = head + "Quadrilaterals\n1\n1 2 3 4 0\nEnd\n";
-  refused(text,
-          "m.mesh:11: face with 4 vertices: triangulate the mesh, or let the reader cut polygons into fans");
-  CHECK(parse_medit_surface(text, "m.mesh", {.triangulate_polygons = true}).triangles.rows() == 2);
+  CHECK(parse_medit_surface(text, "m.mesh").triangles.rows() == 2);
 }
 
 TEST_CASE("MEDIT: faults are named by line") {
@@ -65,7 +63,7 @@ TEST_CASE("MEDIT: faults are named by line") {
   refused(head + "End\n", "m.mesh:9: no triangles");
   refused(head + "Triangles\n0\nEnd\n", "m.mesh:11: no triangles");
   refused(head + "Tetrahedra\n1\n1 2 3 4 0\nEnd\n",
-          "m.mesh:12: no triangles: a mesh of 1 tetrahedra, to be read as such");
+          "m.mesh:12: no triangles: a mesh of 1 tetrahedron, to be read as such");
   refused(head + "Triangles\n1\n1 2 5 0\nEnd\n", "m.mesh:11: vertex index 5 is out of range: there are 4");
   refused(head + "Triangles\n1\n1 2 0 0\nEnd\n", "m.mesh:11: vertex index 0 is out of range: there are 4");
   refused(head + "Triangles\n1\n1 2 -3 0\nEnd\n", "m.mesh:11: vertex index -3 is out of range: there are 4");

@@ -67,13 +67,10 @@ TEST_CASE("PLY: binary numbers of every type in both byte orders") {
   }
 }
 
-TEST_CASE("PLY: polygons become fans when asked to") {
+TEST_CASE("PLY: polygons are cut into triangles") {
   const std::string text = "ply\nformat ascii 1.0\nelement vertex 4\n" + vertices + "element face 1\n" +
                            faces + "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
-  refused(text,
-          "m.ply:14: face with 4 vertices: triangulate the mesh, or let the reader cut polygons into fans");
-  CHECK(parse_ply(text, "m.ply", {.triangulate_polygons = true}).triangles ==
-        rows<Triangles>({0, 1, 2, 0, 2, 3}));
+  CHECK(parse_ply(text, "m.ply").triangles == rows<Triangles>({0, 1, 2, 0, 2, 3}));
 }
 
 TEST_CASE("PLY: faults are named by line, in binary data by byte") {

@@ -31,7 +31,7 @@ TEST_CASE("VTK: a grid of every kind of face") {
   const std::string text = head + "DATASET UNSTRUCTURED_GRID\n" + points +
                            "CELLS 6 25\n3 0 1 2\n4 0 1 2 3\n4 0 1 3 2\n4 0 1 3 2\n1 0\n3 0 1 2\n"
                            "CELL_TYPES 6\n5\n9\n8\n6\n1\n7\nPOINT_DATA 4\nSCALARS s float\n";
-  CHECK(parse_vtk_surface(text, "m.vtk", {.triangulate_polygons = true}).triangles ==
+  CHECK(parse_vtk_surface(text, "m.vtk").triangles ==
         rows<Triangles>({0, 1, 2, 0, 1, 2, 0, 2, 3, 0, 1, 2, 0, 2, 3, 0, 1, 3, 1, 2, 3, 0, 1, 2}));
 }
 
@@ -66,9 +66,7 @@ TEST_CASE("VTK: faults are named by line, in binary data by byte") {
           "m.vtk:8: cell 0: point index 4 is out of range: there are 4");
   refused(poly + points + "POLYGONS 1 4\n3 0 1 -1\n",
           "m.vtk:8: cell 0: point index -1 is out of range: there are 4");
-  refused(poly + points + "POLYGONS 1 5\n4 0 1 2 3\n",
-          "m.vtk:8: cell 0: face with 4 vertices: triangulate the mesh, or let the reader cut polygons into "
-          "fans");
+  refused(poly + points + "POLYGONS 1 3\n2 0 1\n", "m.vtk:8: cell 0: face with 2 vertices");
   refused(poly + points + "POLYGONS 1 3\n3 0 1 2\n", "m.vtk:9: cell 0 of 3 points with 2 integers left");
   refused(poly + points + "POLYGONS 1 5\n3 0 1 2 0\n", "m.vtk:9: 1 integers follow the last cell");
   refused(poly + points + "POLYGONS 2 1\n3 0 1 2 0\n", "m.vtk:8: more cells than integers");
@@ -77,7 +75,7 @@ TEST_CASE("VTK: faults are named by line, in binary data by byte") {
   const std::string grid = head + "DATASET UNSTRUCTURED_GRID\n" + points;
   refused(grid + "CELLS 1 4\n3 0 1 2\n", "m.vtk:9: 0 cell types for 1 cells");
   refused(grid + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n",
-          "m.vtk:11: no triangles: a mesh of 1 tetrahedra, to be read as such");
+          "m.vtk:11: no triangles: a mesh of 1 tetrahedron, to be read as such");
   const std::string five = vtk_header(false, "5.1") + "DATASET POLYDATA\n" + points;
   refused(five + "POLYGONS 2 3\nOFFSETS vtktypeint64\n1 3\nCONNECTIVITY vtktypeint64\n0 1 2\n",
           "m.vtk:8: offsets begin with 1 instead of 0");

@@ -105,7 +105,7 @@ TEST_CASE("VTU: what is not understood is refused by line") {
   refused(with_cells(connectivity), "m.vtu:2: Piece without offsets");
   refused(with_cells(connectivity + offsets), "m.vtu:2: Piece without types");
   refused(with_cells(connectivity + offsets + array("type=\"UInt8\" Name=\"types\"", "10")),
-          "m.vtu:11: no triangles: a mesh of 1 tetrahedra, to be read as such");
+          "m.vtu:7: cell 0: 1 tetrahedron of 3 nodes");
   refused(with_cells(array("type=\"Int32\" Name=\"connectivity\"", "0 1 3") + offsets + types),
           "m.vtu:7: cell 0: point index 3 is out of range: there are 3");
   refused(with_cells(array("type=\"Int32\" Name=\"connectivity\"", "0 -1 2") + offsets + types),

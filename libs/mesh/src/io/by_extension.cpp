@@ -1,3 +1,4 @@
+#include "file.hpp"
 #include "source.hpp"
 
 #include <isostretch/core/error.hpp>
@@ -5,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <utility>
 
 namespace isostretch::mesh {
 namespace {
@@ -43,6 +45,29 @@ constexpr std::array<Entry<SurfaceReader>, 8> surface_readers = {{{".obj", read_
 constexpr std::array<Entry<TetReader>, 4> tet_readers = {
     {{".msh", read_msh_tets}, {".mesh", read_medit_tets}, {".vtk", read_vtk_tets}, {".vtu", read_vtu_tets}}};
 
+using ElementReader = ElementMesh (*)(const std::string&, const ReadOptions&);
+
+template <ElementMesh (*parse)(std::string_view, const std::string&, const ReadOptions&)>
+ElementMesh from_file(const std::string& path, const ReadOptions& options) {
+  return parse(read_file(path), path, options);
+}
+
+// Of a format that knows faces only.
+template <SurfaceReader read>
+ElementMesh from_surface(const std::string& path, const ReadOptions& options) {
+  SurfaceMesh surface = read(path, options);
+  return {Shape::triangle, std::move(surface.vertices), surface.triangles, {}};
+}
+
+constexpr std::array<Entry<ElementReader>, 8> element_readers = {{{".msh", from_file<parse_msh_elements>},
+                                                                  {".mesh", from_file<parse_medit_elements>},
+                                                                  {".vtk", from_file<parse_vtk_elements>},
+                                                                  {".vtu", from_file<parse_vtu_elements>},
+                                                                  {".obj", from_surface<read_obj>},
+                                                                  {".off", from_surface<read_off>},
+                                                                  {".ply", from_surface<read_ply>},
+                                                                  {".stl", from_surface<read_stl>}}};
+
 // Those that have one encoding.
 template <class Mesh, void (*write)(const std::string&, const Mesh&)>
 void ignoring_options(const std::string& path, const Mesh& mesh, const WriteOptions&) {
@@ -74,6 +99,10 @@ SurfaceMesh read_surface(const std::string& path, const ReadOptions& options) {
 
 TetMesh read_tets(const std::string& path, const ReadOptions& options) {
   return find(tet_readers, path)(path, options);
+}
+
+ElementMesh read_elements(const std::string& path, const ReadOptions& options) {
+  return find(element_readers, path)(path, options);
 }
 
 void write_surface(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options) {

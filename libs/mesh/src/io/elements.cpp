@@ -1,39 +1,224 @@
 #include "elements.hpp"
 
-#include "face_list.hpp"
+#include <algorithm>
+#include <iterator>
 
 namespace isostretch::mesh {
+namespace {
 
-std::string ElementList::fault(std::int64_t corners) const {
-  if (wanted_ == Shape::face) return face_fault(corners, options_);
-  return corners == 4 ? std::string() : "tetrahedron with " + std::to_string(corners) + " vertices";
+struct FamilyFacts {
+  const char* one;
+  const char* many;
+  int dimension;
+  int nodes;  // of the linear element, 0: any
+};
+
+const FamilyFacts& facts(Family family) {
+  static constexpr FamilyFacts table[] = {
+      {"point", "points", 0, 1},           {"line", "lines", 1, 2},       {"triangle", "triangles", 2, 3},
+      {"quadrangle", "quadrangles", 2, 4}, {"polygon", "polygons", 2, 0}, {"tetrahedron", "tetrahedra", 3, 4},
+      {"hexahedron", "hexahedra", 3, 8},   {"prism", "prisms", 3, 6},     {"pyramid", "pyramids", 3, 5},
+      {"polyhedron", "polyhedra", 3, 0}};
+  return table[static_cast<std::size_t>(family)];
 }
 
-void ElementList::add(const std::vector<int>& corners) {
-  if (wanted_ == Shape::face)
-    append_fan(corners, corners_);
-  else
-    corners_.insert(corners_.end(), corners.begin(), corners.end());
+struct ShapeOfKind {
+  CellKind kind;
+  Shape shape;
+};
+constexpr ShapeOfKind shapes[] = {
+    {{Family::triangle, 3}, Shape::triangle},  {{Family::triangle, 6}, Shape::quadratic_triangle},
+    {{Family::quad, 4}, Shape::quad},          {{Family::tet, 4}, Shape::tet},
+    {{Family::tet, 10}, Shape::quadratic_tet}, {{Family::hex, 8}, Shape::hex}};
+
+// Polygons of three and four corners by their own names, all others as one kind.
+CellKind normalized(CellKind kind) {
+  if (kind.family != Family::polygon) return kind;
+  if (kind.nodes == 3) return {Family::triangle, 3};
+  if (kind.nodes == 4) return {Family::quad, 4};
+  return {Family::polygon, 0};
 }
 
-std::string ElementList::missing() const {
-  const long faces = skipped_[0], tets = skipped_[1], others = skipped_[2];
-  std::string text = wanted_ == Shape::face ? "no triangles" : "no tetrahedra";
-  if (tets > 0)
-    text += ": a mesh of " + std::to_string(tets) + " tetrahedra, to be read as such";
-  else if (faces > 0)
-    text += ": a surface of " + std::to_string(faces) + " faces, to be read as such";
-  else if (others > 0)
-    text += ", only " + std::to_string(others) + " elements of other kinds";
+const ShapeOfKind* find_shape(CellKind given) {
+  const CellKind kind = normalized(given);
+  const auto* const found =
+      std::find_if(std::begin(shapes), std::end(shapes), [&](const auto& s) { return s.kind == kind; });
+  return found == std::end(shapes) ? nullptr : found;
+}
+
+bool is_face(CellKind kind) {
+  return kind.family == Family::polygon || (kind.family == Family::triangle && kind.nodes == 3) ||
+         (kind.family == Family::quad && kind.nodes == 4);
+}
+
+int compare_rows(const int* a, const int* b, int count) {
+  for (int i = 0; i < count; ++i)
+    if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
+  return 0;
+}
+
+}  // namespace
+
+int CellKind::dimension() const {
+  return facts(family).dimension;
+}
+
+std::string counted(CellKind kind, long count) {
+  const FamilyFacts& family = facts(kind.family);
+  std::string text = std::to_string(count) + " " + (count == 1 ? family.one : family.many);
+  if (family.nodes != 0 && kind.nodes != family.nodes && kind.nodes != 0)
+    text += " of " + std::to_string(kind.nodes) + " nodes";
   return text;
 }
 
-SurfaceMesh surface_of(const MixedMesh& mesh) {
-  return surface_of(mesh.vertices, mesh.elements.corners());
+bool ElementList::wants(CellKind kind) const {
+  if (wanted_ == Wanted::surface) return is_face(kind);
+  if (wanted_ == Wanted::tets) return kind == CellKind{Family::tet, 4};
+  return find_shape(kind) != nullptr;
 }
 
-TetMesh tets_of(const MixedMesh& mesh) {
-  return {to_rows<double, 3>(mesh.vertices), to_rows<int, 4>(mesh.elements.corners())};
+void ElementList::add(CellKind kind, const std::vector<int>& nodes, const Place& place,
+                      const ElementLabel& label) {
+  skip(kind);
+  if (wanted_ == Wanted::surface) {
+    const std::size_t before = faces_.count();
+    faces_.add(nodes, place);
+    if (faces_.count() > before) face_labels_.add(label);
+    return;
+  }
+  List& list = lists_[static_cast<std::size_t>(find_shape(kind)->shape)];
+  list.nodes.insert(list.nodes.end(), nodes.begin(), nodes.end());
+  list.labels.add(label);
+}
+
+void ElementList::skip(CellKind kind, long count) {
+  counts_[normalized(kind)] += count;
+}
+
+void ElementList::name_group(int dimension, std::int64_t number, std::string_view name) {
+  group_names_[{dimension, number}] = name;
+}
+
+long ElementList::count(int dimension) const {
+  long sum = 0;
+  for (const auto& [kind, count] : counts_) sum += kind.dimension() == dimension ? count : 0;
+  return sum;
+}
+
+// "1 hexahedron and 2 tetrahedra".
+std::string ElementList::listed(int dimension) const {
+  std::vector<std::string> parts;
+  for (const auto& [kind, count] : counts_)
+    if (kind.dimension() == dimension) parts.push_back(counted(kind, count));
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  return text;
+}
+
+std::string ElementList::missing_faces() const {
+  if (count(3) > 0) return "no triangles: a mesh of " + listed(3) + ", to be read as such";
+  if (count(2) > 0) return "no triangles, only " + listed(2);
+  const long others = count(0) + count(1);
+  return others > 0 ? "no triangles, only " + std::to_string(others) + " elements of other kinds"
+                    : "no triangles";
+}
+
+SurfaceMesh ElementList::surface(const std::vector<double>& vertices, const Place& end) {
+  if (faces_.empty()) end.fail(missing_faces());
+  for (const auto& [kind, number] : counts_)
+    if (kind.dimension() == 2 && !is_face(kind))
+      end.fail(listed(2) + ": of a surface only flat faces are read");
+  std::string fault;
+  const auto compare = [this](int a, int b) {
+    const auto x = static_cast<std::size_t>(a), y = static_cast<std::size_t>(b);
+    if (faces_.size(x) != faces_.size(y)) return faces_.size(x) - faces_.size(y);
+    return compare_rows(faces_.corners(x), faces_.corners(y), faces_.size(x));
+  };
+  const std::vector<char> keep = face_labels_.drop_copies(compare, copies_for_groups_, fault);
+  if (!fault.empty()) end.fail(fault);
+  if (std::find(keep.begin(), keep.end(), 0) != keep.end()) faces_.keep(keep);
+  return faces_.surface(vertices, {}, end);
+}
+
+void ElementList::drop_copies(List& list, int nodes_each, const Place& end) const {
+  const auto each = static_cast<std::size_t>(nodes_each);
+  std::string fault;
+  const auto compare = [&](int a, int b) {
+    return compare_rows(list.nodes.data() + each * static_cast<std::size_t>(a),
+                        list.nodes.data() + each * static_cast<std::size_t>(b), nodes_each);
+  };
+  const std::vector<char> keep = list.labels.drop_copies(compare, copies_for_groups_, fault);
+  if (!fault.empty()) end.fail(fault);
+  std::size_t kept = 0;
+  for (std::size_t e = 0; e < keep.size(); ++e)
+    if (keep[e])
+      std::copy_n(list.nodes.begin() + static_cast<std::ptrdiff_t>(each * e), each,
+                  list.nodes.begin() + static_cast<std::ptrdiff_t>(each * kept++));
+  list.nodes.resize(each * kept);
+}
+
+// No solid element is dropped without a word.
+void ElementList::require_one_kind(int dimension, const Place& end) const {
+  int supported = 0, kinds = 0;
+  const Shape* shape = nullptr;
+  for (const auto& [kind, number] : counts_) {
+    if (kind.dimension() != dimension || number == 0) continue;
+    const ShapeOfKind* const found = find_shape(kind);
+    if (!found || !shape || *shape != found->shape) ++kinds;
+    if (found) ++supported, shape = &found->shape;
+  }
+  if (supported == 0) end.fail("only " + listed(dimension) + ", which are no elements of a body here");
+  if (kinds > 1)
+    end.fail(listed(dimension) +
+             ": a body is of one kind of elements, triangles, quadrangles, "
+             "tetrahedra (linear or of second order) or hexahedra");
+}
+
+TetMesh ElementList::tets(const std::vector<double>& vertices, const Place& end) {
+  List& list = lists_[static_cast<std::size_t>(Shape::tet)];
+  if (list.nodes.empty() && count(3) > 0) end.fail("no tetrahedra of 4 nodes, only " + listed(3));
+  if (list.nodes.empty() && count(2) > 0)
+    end.fail("no tetrahedra: a surface of " + std::to_string(count(2)) + " faces, to be read as such");
+  if (list.nodes.empty()) {
+    const long others = count(0) + count(1);
+    end.fail(others > 0 ? "no tetrahedra, only " + std::to_string(others) + " elements of other kinds"
+                        : "no tetrahedra");
+  }
+  require_one_kind(3, end);
+  drop_copies(list, 4, end);
+  return {to_rows<double, 3>(vertices), to_rows<int, 4>(list.nodes)};
+}
+
+std::vector<ElementGroup> ElementList::groups_of(const List& list, int dimension) const {
+  std::vector<ElementGroup> groups;
+  for (const auto& [number, element] : list.labels.groups()) {
+    if (groups.empty() || groups.back().number != number) {
+      const auto name = group_names_.find({dimension, number});
+      groups.push_back({number, name == group_names_.end() ? std::string() : name->second, {}});
+    }
+    groups.back().elements.push_back(element);
+  }
+  return groups;
+}
+
+ElementMesh ElementList::elements(const std::vector<double>& vertices, const Place& end) {
+  const int dimension = count(3) > 0 ? 3 : 2;
+  if (count(dimension) == 0) end.fail("no elements of a body: neither solid ones nor faces");
+  require_one_kind(dimension, end);
+  const auto found = std::find_if(lists_.begin(), lists_.end(), [&](const List& list) {
+    const auto shape = static_cast<Shape>(&list - lists_.data());
+    return shape_dim(shape) == dimension && !list.nodes.empty();
+  });
+  ElementMesh mesh;
+  mesh.shape = static_cast<Shape>(found - lists_.begin());
+  const int nodes = shape_node_count(mesh.shape);
+  drop_copies(*found, nodes, end);
+  mesh.vertices = to_rows<double, 3>(vertices);
+  mesh.elements = Eigen::Map<const decltype(mesh.elements)>(
+      found->nodes.data(), static_cast<Eigen::Index>(found->nodes.size()) / nodes, nodes);
+  mesh.groups = groups_of(*found, dimension);
+  return mesh;
 }
 
 }  // namespace isostretch::mesh

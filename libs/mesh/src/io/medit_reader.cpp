@@ -5,6 +5,7 @@
 
 #include <isostretch/mesh/io.hpp>
 
+#include <cmath>
 #include <utility>
 
 namespace isostretch::mesh {
@@ -12,11 +13,19 @@ namespace {
 
 struct Section {
   const char* keyword;  // in lower case: files differ in End and END
-  Shape shape;
-  int corners;
+  CellKind kind;
 };
-constexpr Section element_sections[] = {
-    {"triangles", Shape::face, 3}, {"quadrilaterals", Shape::face, 4}, {"tetrahedra", Shape::tet, 4}};
+constexpr Section element_sections[] = {{"edges", {Family::line, 2}},
+                                        {"triangles", {Family::triangle, 3}},
+                                        {"trianglesp2", {Family::triangle, 6}},
+                                        {"quadrilaterals", {Family::quad, 4}},
+                                        {"quadrilateralsq2", {Family::quad, 9}},
+                                        {"tetrahedra", {Family::tet, 4}},
+                                        {"tetrahedrap2", {Family::tet, 10}},
+                                        {"hexahedra", {Family::hex, 8}},
+                                        {"hexahedraq2", {Family::hex, 27}},
+                                        {"prisms", {Family::prism, 6}},
+                                        {"pyramids", {Family::pyramid, 5}}};
 
 bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
@@ -24,7 +33,7 @@ bool is_letter(char c) {
 
 class MeditReader {
  public:
-  MeditReader(std::string_view text, const std::string& name, Shape wanted, const ReadOptions& options)
+  MeditReader(std::string_view text, const std::string& name, Wanted wanted, const ReadOptions& options)
       : source_(text, name), elements_(wanted, options) {
     source_.set_comments(true);
   }
@@ -36,8 +45,8 @@ class MeditReader {
       source_.seek(position);
       read_elements(*section);
     }
-    if (elements_.empty()) source_.fail(elements_.missing());
-    return {std::move(vertices_), std::move(elements_)};
+    order_edge_nodes();
+    return {std::move(vertices_), std::move(elements_), source_.place()};
   }
 
  private:
@@ -87,9 +96,13 @@ class MeditReader {
     }
   }
 
-  // Of no use here; some programs write it as a real number.
-  void reference() {
-    if (source_.word().empty()) source_.fail("missing reference");
+  // Some programs write it as a real number, which names no group; 0 is none.
+  std::vector<std::int64_t> reference() {
+    const std::string_view word = source_.word();
+    if (word.empty()) source_.fail("missing reference");
+    const Parsed<std::int64_t> parsed = parse_integer(word);
+    if (!parsed.fault.empty() || parsed.value == 0) return {};
+    return {parsed.value};
   }
 
   // Elements may stand before the vertices that they name.
@@ -103,28 +116,57 @@ class MeditReader {
 
   void read_elements(const Section& section) {
     const int count =
-        source_.text_count("number of elements", 2 * static_cast<std::size_t>(section.corners + 1));
+        source_.text_count("number of elements", 2 * static_cast<std::size_t>(section.kind.nodes + 1));
     for (int e = 0; e < count; ++e) {
-      if (elements_.wants(section.shape))
-        element(section.corners);
+      if (elements_.wants(section.kind))
+        element(section.kind);
       else
         skip_element(section);
     }
   }
 
-  void element(int corners) {
+  void element(CellKind kind) {
     corners_.clear();
-    for (int c = 0; c < corners; ++c)
+    Place place = source_.place();
+    for (int c = 0; c < kind.nodes; ++c) {
       corners_.push_back(source_.index(Scalar::int32, "vertex index", 1, vertices_.size() / 3));
-    if (const std::string fault = elements_.fault(corners); !fault.empty()) source_.fail(fault);
-    elements_.add(corners_);
-    reference();
+      if (c == 0) place.position = source_.place().position;
+    }
+    elements_.add(kind, corners_, place, {0, 0, reference()});
   }
 
   void skip_element(const Section& section) {
-    for (int c = 0; c <= section.corners; ++c)
+    for (int c = 0; c <= section.kind.nodes; ++c)
       if (source_.word().empty()) source_.fail("the file ends within " + std::string(section.keyword));
-    elements_.skip(section.shape);
+    elements_.skip(section.kind);
+  }
+
+  // Programs disagree in which order the last two nodes of a tetrahedron of second order come: they are where
+  // the nodes lie.
+  void order_edge_nodes() {
+    std::vector<int>& nodes = elements_.nodes_of(Shape::quadratic_tet);
+    double as_given = 0, swapped = 0;
+    for (std::size_t e = 0; e < nodes.size(); e += 10) {
+      as_given += distance_to_edge(nodes[e + 8], nodes[e + 1], nodes[e + 3]) +
+                  distance_to_edge(nodes[e + 9], nodes[e + 2], nodes[e + 3]);
+      swapped += distance_to_edge(nodes[e + 8], nodes[e + 2], nodes[e + 3]) +
+                 distance_to_edge(nodes[e + 9], nodes[e + 1], nodes[e + 3]);
+    }
+    if (swapped < as_given)
+      for (std::size_t e = 0; e < nodes.size(); e += 10) std::swap(nodes[e + 8], nodes[e + 9]);
+  }
+
+  // From its middle.
+  double distance_to_edge(int node, int a, int b) const {
+    const auto at = [this](int v, std::size_t axis) {
+      return vertices_[3 * static_cast<std::size_t>(v) + axis];
+    };
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double d = at(node, i) - (at(a, i) + at(b, i)) / 2;
+      sum += d * d;
+    }
+    return std::sqrt(sum);
   }
 
   // To the next keyword.
@@ -144,11 +186,15 @@ class MeditReader {
 }  // namespace
 
 SurfaceMesh parse_medit_surface(std::string_view text, const std::string& name, const ReadOptions& options) {
-  return surface_of(MeditReader(text, name, Shape::face, options).read());
+  return surface_of(MeditReader(text, name, Wanted::surface, options).read());
 }
 
 TetMesh parse_medit_tets(std::string_view text, const std::string& name, const ReadOptions& options) {
-  return tets_of(MeditReader(text, name, Shape::tet, options).read());
+  return tets_of(MeditReader(text, name, Wanted::tets, options).read());
+}
+
+ElementMesh parse_medit_elements(std::string_view text, const std::string& name, const ReadOptions& options) {
+  return elements_of(MeditReader(text, name, Wanted::elements, options).read());
 }
 
 SurfaceMesh read_medit_surface(const std::string& path, const ReadOptions& options) {

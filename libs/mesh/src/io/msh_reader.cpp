@@ -1,3 +1,4 @@
+#include "characters.hpp"
 #include "file.hpp"
 #include "msh_elements.hpp"
 #include "number.hpp"
@@ -6,6 +7,9 @@
 
 #include <isostretch/mesh/io.hpp>
 
+#include <array>
+#include <cstdlib>
+#include <map>
 #include <utility>
 
 namespace isostretch::mesh {
@@ -15,14 +19,14 @@ constexpr Scalar size_type = Scalar::uint64;  // counts of version 4
 
 class MshReader {
  public:
-  MshReader(std::string_view contents, const std::string& name, Shape wanted, const ReadOptions& options)
+  MshReader(std::string_view contents, const std::string& name, Wanted wanted, const ReadOptions& options)
       : source_(contents, name), elements_(wanted, options) {}
 
   MixedMesh read() {
     format();
+    if (version_ == MshVersion::v2_2) elements_.merge_copies_of_groups();
     while (!source_.empty()) section();
-    if (elements_.empty()) source_.fail(elements_.missing());
-    return {std::move(vertices_), std::move(elements_)};
+    return {std::move(vertices_), std::move(elements_), source_.place()};
   }
 
  private:
@@ -67,6 +71,10 @@ class MshReader {
       nodes();
     else if (keyword == "$Elements")
       elements();
+    else if (keyword == "$PhysicalNames")
+      physical_names();
+    else if (keyword == "$Entities" && version_ != MshVersion::v2_2)
+      entities();
     else
       skip_section(keyword);
   }
@@ -77,6 +85,49 @@ class MshReader {
     const std::size_t found = source_.contents().find(end, source_.position());
     if (found == std::string_view::npos) source_.fail("section " + quoted(keyword) + " does not end");
     source_.seek(found + end.size());
+  }
+
+  // Text in binary files too: dimension, number, name in quotes.
+  void physical_names() {
+    for (int i = source_.text_count("number of names", 6); i > 0; --i) {
+      const std::int64_t dimension = source_.text_integer("dimension");
+      const std::int64_t number = source_.text_integer("number of a physical group");
+      std::string_view name = trimmed(source_.line());
+      if (name.size() < 2 || name.front() != '"' || name.back() != '"')
+        source_.fail("name of a physical group is not in quotes");
+      elements_.name_group(static_cast<int>(dimension), number, name.substr(1, name.size() - 2));
+    }
+    expect("$EndPhysicalNames");
+  }
+
+  // In which physical groups points, curves, surfaces and volumes are.
+  void entities() {
+    source_.line();
+    std::array<int, 4> counts{};
+    for (int& count : counts) count = source_.count(size_type, "number of entities", 4);
+    for (std::size_t dimension = 0; dimension < counts.size(); ++dimension)
+      for (int i = 0; i < counts[dimension]; ++i) one_entity(static_cast<int>(dimension));
+    expect("$EndEntities");
+  }
+
+  void one_entity(int dimension) {
+    const std::int64_t tag = source_.integer(Scalar::int32, "entity");
+    const int place = dimension == 0 && version_ == MshVersion::v4_1 ? 3 : 6;  // a point, or a box
+    for (int i = 0; i < place; ++i) skip_number();
+    auto& groups = groups_of_entity_[{dimension, tag}];
+    for (int i = source_.count(size_type, "number of physical groups", sizeof(std::int32_t)); i > 0; --i)
+      groups.push_back(std::abs(source_.integer(Scalar::int32, "physical group")));  // a sign is a direction
+    if (dimension == 0) return;
+    for (int i = source_.count(size_type, "number of bounding entities", sizeof(std::int32_t)); i > 0; --i)
+      source_.integer(Scalar::int32, "bounding entity");
+  }
+
+  // Of a box that is empty, whose numbers need not be finite.
+  void skip_number() {
+    if (source_.binary())
+      source_.bytes(sizeof(double), "box of an entity");
+    else if (source_.word().empty())
+      source_.fail("the file ends within an entity");
   }
 
   void expect(const char* keyword) {
@@ -130,16 +181,18 @@ class MshReader {
     source_.integer(size_type, "largest tag");
   }
 
-  // Dimension of the entity; the versions have it and the entity's tag in different order.
-  std::int64_t entity() {
+  // Dimension and tag of an entity; the versions have them in different order.
+  std::pair<int, std::int64_t> entity() {
     const std::int64_t first = source_.integer(Scalar::int32, "entity");
     const std::int64_t second = source_.integer(Scalar::int32, "entity");
-    return version_ == MshVersion::v4_1 ? first : second;
+    const bool dimension_first = version_ == MshVersion::v4_1;
+    const std::int64_t dimension = dimension_first ? first : second;
+    if (dimension < 0 || dimension > 3) source_.fail("entity of dimension " + std::to_string(dimension));
+    return {static_cast<int>(dimension), dimension_first ? second : first};
   }
 
   void node_block() {
-    const std::int64_t dimension = entity();
-    if (dimension < 0 || dimension > 3) source_.fail("entity of dimension " + std::to_string(dimension));
+    const int dimension = entity().first;
     const bool parametric = source_.integer(Scalar::int32, "parametric") != 0;
     const int count = source_.count(size_type, "number of nodes", node_size());
     const std::size_t parameters = parametric ? static_cast<std::size_t>(dimension) : 0;
@@ -190,16 +243,23 @@ class MshReader {
     source_.set_by_line(true);
     for (int e = 0; e < count; ++e) {
       source_.next_line();
-      source_.text_integer("element");
-      const std::int64_t type = source_.text_integer("type");
-      skip_tags();
-      element(type, Scalar::int32);
+      label_.number = source_.text_integer("element");
+      const CellKind kind = known_kind(source_.text_integer("type"));
+      read_tags(source_.text_count("number of tags", 2));
+      element(kind, Scalar::int32);
     }
     leave_lines();
   }
 
-  void skip_tags() {
-    for (int t = source_.text_count("number of tags", 2); t > 0; --t) source_.text_integer("tag");
+  // The first is that of a physical group, or 0, the second that of the entity.
+  void read_tags(int count) {
+    label_.groups.clear();
+    label_.entity = 0;
+    for (int t = 0; t < count; ++t) {
+      const std::int64_t tag = source_.integer(Scalar::int32, "tag");
+      if (t == 0 && tag != 0) label_.groups.push_back(std::abs(tag));
+      if (t == 1) label_.entity = tag;
+    }
   }
 
   // Version 2 in binary: runs of elements of one type and one number of tags.
@@ -207,12 +267,17 @@ class MshReader {
     const int total = source_.text_count("number of elements", sizeof(std::int32_t));
     source_.line();
     for (int done = 0; done < total;) {
-      const std::int64_t type = source_.integer(Scalar::int32, "type");
+      const CellKind kind = known_kind(source_.integer(Scalar::int32, "type"));
       const std::int64_t count = source_.integer(Scalar::int32, "number of elements");
       const int tags = source_.count(Scalar::int32, "number of tags", sizeof(std::int32_t));
       if (count < 1 || count > total - done)
         source_.fail(std::to_string(count) + " elements where " + std::to_string(total - done) + " are left");
-      binary_elements(type, static_cast<int>(count), 1 + static_cast<std::size_t>(tags), Scalar::int32);
+      if (!skip_unwanted(kind, static_cast<int>(count), 1 + tags, Scalar::int32))
+        for (std::int64_t e = 0; e < count; ++e) {
+          label_.number = source_.integer(Scalar::int32, "element");
+          read_tags(tags);
+          element(kind, Scalar::int32);
+        }
       done += static_cast<int>(count);
     }
   }
@@ -228,57 +293,51 @@ class MshReader {
   }
 
   std::int64_t element_block() {
-    entity();
-    const std::int64_t type = source_.integer(Scalar::int32, "type");
+    const auto groups = groups_of_entity_.find(entity());
+    label_.groups = groups == groups_of_entity_.end() ? std::vector<std::int64_t>() : groups->second;
+    const CellKind kind = known_kind(source_.integer(Scalar::int32, "type"));
     const int count =
         source_.count(size_type, "number of elements", source_.binary() ? size_of(tag_type()) : 4);
-    if (source_.binary())
-      binary_elements(type, count, 1, tag_type());
-    else
-      text_elements(type, count);
-    return count;
-  }
-
-  void text_elements(std::int64_t type, int count) {
+    if (skip_unwanted(kind, count, 1, tag_type())) return count;
     source_.set_by_line(true);
     for (int e = 0; e < count; ++e) {
       source_.next_line();
-      source_.text_integer("element");
-      element(type, tag_type());
+      label_.number = source_.integer(tag_type(), "element");
+      element(kind, tag_type());
     }
     leave_lines();
+    return count;
   }
 
-  // `before`: numbers in front of the nodes of each.
-  void binary_elements(std::int64_t type, int count, std::size_t before, Scalar number) {
-    const int nodes = msh_node_count(type);
-    if (nodes == 0) source_.fail("elements of unknown type " + std::to_string(type));
-    const std::size_t size = size_of(number) * (before + static_cast<std::size_t>(nodes));
+  CellKind known_kind(std::int64_t type) const {
+    const CellKind kind = msh_kind(type);
+    if (kind.nodes == 0) source_.fail("elements of unknown type " + std::to_string(type));
+    return kind;
+  }
+
+  // In binary; `before`: numbers in front of the nodes of each.
+  bool skip_unwanted(CellKind kind, int count, int before, Scalar number) {
+    if (!source_.binary()) return false;
+    const std::size_t size = size_of(number) * static_cast<std::size_t>(before + kind.nodes);
     if (static_cast<std::size_t>(count) > source_.left() / size)
       source_.fail("the file ends within the elements");
-    if (!elements_.wants(msh_shape(type))) {
-      source_.bytes(size * static_cast<std::size_t>(count), "elements");
-      elements_.skip(msh_shape(type), count);
-      return;
-    }
-    for (int e = 0; e < count; ++e) {
-      source_.bytes(size_of(number) * before, "element");
-      element(type, number);
-    }
+    if (elements_.wants(kind)) return false;
+    source_.bytes(size * static_cast<std::size_t>(count), "elements");
+    elements_.skip(kind, count);
+    return true;
   }
 
   // In text the rest of a line that is of no interest is dropped by next_line().
-  void element(std::int64_t type, Scalar number) {
-    const Shape shape = msh_shape(type);
-    if (!elements_.wants(shape)) {
-      elements_.skip(shape);
+  void element(CellKind kind, Scalar number) {
+    if (!elements_.wants(kind)) {
+      elements_.skip(kind);
       return;
     }
-    const int count = msh_node_count(type);
-    if (const std::string fault = elements_.fault(count); !fault.empty()) source_.fail(fault);
+    const Place place = source_.place();
     corners_.clear();
-    for (int c = 0; c < count; ++c) corners_.push_back(node(number));
-    elements_.add(corners_);
+    for (int c = 0; c < kind.nodes; ++c) corners_.push_back(node(number));
+    if (kind == CellKind{Family::tet, 10}) std::swap(corners_[8], corners_[9]);  // to VTK's order
+    elements_.add(kind, corners_, place, label_);
   }
 
   int node(Scalar number) {
@@ -294,18 +353,25 @@ class MshReader {
   bool has_elements_ = false;
   TagMap tags_;
   std::vector<double> vertices_;
-  std::vector<int> corners_;  // of the element being read
+  std::map<std::pair<int, std::int64_t>, std::vector<std::int64_t>> groups_of_entity_;
+  ElementLabel label_;  // of the element being read
+  std::vector<int> corners_;
 };
 
 }  // namespace
 
 SurfaceMesh parse_msh_surface(std::string_view contents, const std::string& name,
                               const ReadOptions& options) {
-  return surface_of(MshReader(contents, name, Shape::face, options).read());
+  return surface_of(MshReader(contents, name, Wanted::surface, options).read());
 }
 
 TetMesh parse_msh_tets(std::string_view contents, const std::string& name, const ReadOptions& options) {
-  return tets_of(MshReader(contents, name, Shape::tet, options).read());
+  return tets_of(MshReader(contents, name, Wanted::tets, options).read());
+}
+
+ElementMesh parse_msh_elements(std::string_view contents, const std::string& name,
+                               const ReadOptions& options) {
+  return elements_of(MshReader(contents, name, Wanted::elements, options).read());
 }
 
 SurfaceMesh read_msh_surface(const std::string& path, const ReadOptions& options) {

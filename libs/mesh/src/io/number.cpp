@@ -14,6 +14,11 @@ bool is_tiny(std::string_view word) {
   return word.find_first_not_of("+-0") == word.find('.');
 }
 
+// from_chars takes no plus sign.
+std::size_t plus_sign(std::string_view word) {
+  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0;
+}
+
 }  // namespace
 
 std::string quoted(std::string_view word) {
@@ -24,8 +29,17 @@ std::string quoted(std::string_view word) {
   return text;
 }
 
+Parsed<std::int64_t> parse_integer(std::string_view word) {
+  const std::size_t sign = plus_sign(word);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data() + sign, word.data() + word.size(), value);
+  if (error == std::errc::result_out_of_range) return {0, quoted(word) + " is too large"};
+  if (error != std::errc() || end != word.data() + word.size()) return {0, "expected, not " + quoted(word)};
+  return {value, {}};
+}
+
 Parsed<double> parse_coordinate(std::string_view word) {
-  const std::size_t sign = word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0;
+  const std::size_t sign = plus_sign(word);
   double value = 0;
   const auto [end, error] = std::from_chars(word.data() + sign, word.data() + word.size(), value);
   if (error == std::errc::result_out_of_range) {

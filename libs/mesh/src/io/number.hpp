@@ -18,6 +18,9 @@ struct Parsed {
   std::string fault;  // empty: none; otherwise what follows "x coordinate " in a message
 };
 
+// Of the whole word; a plus sign is taken. The fault follows "vertex index " in a message.
+Parsed<std::int64_t> parse_integer(std::string_view word);
+
 // Finite; a plus sign is taken, and what is below the range is zero.
 Parsed<double> parse_coordinate(std::string_view word);
 

@@ -1,10 +1,9 @@
 #include "face_list.hpp"
 #include "file.hpp"
-#include "lines.hpp"
+#include "source.hpp"
 
 #include <isostretch/mesh/io.hpp>
 
-#include <algorithm>
 #include <vector>
 
 namespace isostretch::mesh {
@@ -13,100 +12,72 @@ namespace {
 class OffReader {
  public:
   OffReader(std::string_view text, const std::string& name, const ReadOptions& options)
-      : name_(name), options_(options), size_(text.size()), lines_(text, false) {}
+      : source_(text, name), faces_(options) {
+    source_.set_comments(true);
+    source_.set_by_line(true);
+  }
 
   SurfaceMesh read() {
     header();
-    if (face_count_ == 0) fail_at_line(name_, lines_.number(), "no faces");
+    if (face_count_ == 0) source_.fail("no faces");
     std::vector<double> vertices;
     for (int i = 0; i < vertex_count_; ++i) vertex(vertices, i);
-    std::vector<int> triangles;
-    for (int i = 0; i < face_count_; ++i) face(triangles, i);
-    return surface_of(vertices, triangles);
+    for (int i = 0; i < face_count_; ++i) face(i);
+    return faces_.surface(vertices, {}, source_.place());
   }
 
  private:
-  // Next line with anything on it besides a comment.
-  bool next(std::string_view& line) {
-    while (lines_.next(line)) {
-      line = line.substr(0, line.find('#'));
-      if (!words(line).empty()) return true;
-    }
-    return false;
-  }
-
-  Words words(std::string_view line) const { return {line, name_, lines_.number()}; }
-
-  // [ST][C][N]OFF, the counts on the same line or on the next one. The number of edges is often wrong or
-  // missing.
+  // [ST][C][N]OFF, the counts on the same line, with or without a blank, or on the next one. The number of
+  // edges is often wrong or missing.
   void header() {
-    std::string_view line;
-    if (!next(line)) fail_at_line(name_, std::max(lines_.number(), 1L), "no vertices and no faces");
-    Words first = words(line);
-    const std::string_view keyword = first.word();
-    const bool known = keyword.size() >= 3 && keyword.substr(keyword.size() - 3) == "OFF" &&
-                       keyword.find_first_not_of("STCNOF") == std::string_view::npos;
-    if (!known) first.fail("not an OFF file: it does not begin with OFF");
-    if (!first.empty()) {
-      counts(first);
-      return;
+    source_.next_line();
+    const std::string_view first = source_.word();
+    if (first.empty()) source_.fail("no vertices and no faces");
+    const std::size_t name = first.find("OFF"), end = name + 3;
+    const bool known = name != std::string_view::npos && first.find_first_not_of("STCN") == name &&
+                       (end == first.size() || (first[end] >= '0' && first[end] <= '9'));
+    if (!known) source_.fail("not an OFF file: it does not begin with OFF");
+    source_.seek(source_.position() - (first.size() - end));
+    if (source_.empty()) {
+      const Place place = source_.place();
+      source_.next_line();
+      if (source_.left() == 0) place.fail("the numbers of vertices and faces are missing");
     }
-    if (!next(line)) fail_at_line(name_, lines_.number(), "the numbers of vertices and faces are missing");
-    Words second = words(line);
-    counts(second);
-  }
-
-  void counts(Words& line) {
-    vertex_count_ = count(line, "number of vertices");
-    face_count_ = count(line, "number of faces");
-  }
-
-  int count(Words& line, const char* what) {
-    line.empty();
-    const int value = line.integer(what);
-    if (value < 0) line.fail(std::string(what) + " is negative: " + std::to_string(value));
-    if (static_cast<std::size_t>(value) > size_)
-      line.fail(std::string(what) + " " + std::to_string(value) + " is more than the file can hold");
-    return value;
+    const std::int64_t vertices = source_.text_integer("number of vertices");
+    const Place place = source_.place();
+    const std::int64_t faces = source_.text_integer("number of faces");
+    face_count_ = source_.checked_count(faces, "number of faces", 2, source_.place());
+    vertex_count_ = source_.checked_count(vertices, "number of vertices", 2, place);
   }
 
   void vertex(std::vector<double>& vertices, int i) {
-    Words line = words(required_line(i, vertex_count_, "vertices"));
-    for (const char* what : {"x coordinate", "y coordinate", "z coordinate"})
-      vertices.push_back(line.coordinate(what));
+    next_line(i, vertex_count_, "vertices");
+    for (const char* what : axis_labels) vertices.push_back(source_.text_coordinate(what));
   }
 
-  void face(std::vector<int>& triangles, int i) {
-    Words line = words(required_line(i, face_count_, "faces"));
-    const int corners = count(line, "number of corners");
-    if (const std::string fault = face_fault(corners, options_); !fault.empty()) line.fail(fault);
+  void face(int i) {
+    next_line(i, face_count_, "faces");
+    const Place place = source_.place();
+    const int corners = source_.text_count("number of corners", 2);
     polygon_.clear();
-    for (int c = 0; c < corners; ++c) polygon_.push_back(index(line));
-    append_fan(polygon_, triangles);
+    for (int c = 0; c < corners; ++c) {
+      if (source_.empty()) source_.fail("the face has fewer vertices than it says");
+      polygon_.push_back(
+          source_.index(Scalar::int32, "vertex index", 0, static_cast<std::size_t>(vertex_count_)));
+    }
+    faces_.add(polygon_, place);
   }
 
-  int index(Words& line) const {
-    if (line.empty()) line.fail("the face has fewer vertices than it says");
-    const int value = line.integer("vertex index");
-    if (!line.at_blank()) line.fail("vertex index is not an integer");
-    if (value < 0 || value >= vertex_count_)
-      line.fail("vertex index " + std::to_string(value) + " is out of range: there are " +
-                std::to_string(vertex_count_));
-    return value;
+  // What follows on a line (colours and the like) is dropped.
+  void next_line(int i, int count, const char* what) {
+    const Place place = source_.place();
+    source_.next_line();
+    if (source_.left() == 0)
+      place.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(count) + " " + what);
   }
 
-  std::string_view required_line(int i, int count, const char* what) {
-    std::string_view line;
-    if (!next(line))
-      fail_at_line(name_, lines_.number(),
-                   "the file ends after " + std::to_string(i) + " of " + std::to_string(count) + " " + what);
-    return line;
-  }
-
-  const std::string& name_;
-  const ReadOptions& options_;
-  std::size_t size_;
-  LineReader lines_;
+  Source source_;
+  FaceList faces_;
   int vertex_count_ = 0;
   int face_count_ = 0;
   std::vector<int> polygon_;

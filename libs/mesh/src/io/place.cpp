@@ -1,8 +1,8 @@
 #include "place.hpp"
 
-#include <isostretch/core/error.hpp>
+#include "characters.hpp"
 
-#include <algorithm>
+#include <isostretch/core/error.hpp>
 
 namespace isostretch::mesh {
 
@@ -13,9 +13,16 @@ void fail_at_line(const std::string& name, long line, const std::string& what) {
 // Lines are only counted here: reading need not know them.
 void Place::fail(const std::string& what) const {
   if (by_byte) throw Error(name + ": byte " + std::to_string(position) + ": " + what);
-  const bool behind_last_line = position > 0 && position == contents.size() && contents.back() == '\n';
-  const std::string_view before = contents.substr(0, position - (behind_last_line ? 1 : 0));
-  fail_at_line(name, 1 + std::count(before.begin(), before.end(), '\n'), what);
+  fail_at_line(name, line(), what);
+}
+
+long Place::line() const {
+  const bool behind_last_line = position > 0 && position == contents.size() && is_line_end(contents.back());
+  const std::size_t end = position - (behind_last_line ? 1 : 0);
+  long number = 1;
+  for (std::size_t i = 0; i < end; ++i)
+    number += contents[i] == '\n' || (contents[i] == '\r' && contents.substr(i + 1, 1) != "\n") ? 1 : 0;
+  return number;
 }
 
 }  // namespace isostretch::mesh

@@ -16,6 +16,7 @@ struct Place {
   bool by_byte;
 
   [[noreturn]] void fail(const std::string& what) const;
+  long line() const;  // from 1
 };
 
 }  // namespace isostretch::mesh

@@ -1,5 +1,6 @@
 #include "source.hpp"
 
+#include "characters.hpp"
 #include "number.hpp"
 
 #include <bit>
@@ -9,8 +10,9 @@
 namespace isostretch::mesh {
 namespace {
 
-bool is_space(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r');
+bool has_old_line_ends(std::string_view contents) {
+  const std::size_t first = contents.find_first_of("\r\n");
+  return first != std::string_view::npos && contents[first] == '\r' && contents.substr(first + 1, 1) != "\n";
 }
 
 }  // namespace
@@ -34,31 +36,52 @@ void Source::set_coding(Coding coding) {
   swap_ = coding != Coding::text && coding != native;
 }
 
+Source::Source(std::string_view contents, const std::string& name)
+    : contents_(contents),
+      name_(name),
+      start_(byte_order_mark(contents)),
+      position_(start_),
+      last_(start_),
+      old_line_ends_(has_old_line_ends(contents)) {}
+
 void Source::skip_rest_of_line() {
-  position_ = std::min(contents_.find('\n', position_), contents_.size());
+  while (position_ < contents_.size() && !is_line_end(contents_[position_])) ++position_;
+}
+
+// Length of a backslash and the end of the line behind it, 0 where there is none.
+std::size_t Source::joint(std::size_t position) const {
+  if (!continued_ || contents_[position] != '\\') return 0;
+  const std::string_view rest = contents_.substr(position + 1, 2);
+  if (rest.empty()) return 1;
+  if (!is_line_end(rest[0])) return 0;
+  return rest == "\r\n" ? 3 : 2;
 }
 
 void Source::skip_blanks() {
-  for (; position_ < contents_.size(); ++position_) {
+  while (position_ < contents_.size()) {
     const char c = contents_[position_];
     if (comments_ && c == '#') {
       skip_rest_of_line();
-      --position_;  // to meet the line's end
-      continue;
+    } else if (const std::size_t length = joint(position_)) {
+      position_ += length;
+    } else {
+      if (!is_space(c) || (by_line_ && is_line_end(c))) break;
+      ++position_;
     }
-    if (!is_space(c) || (by_line_ && c == '\n')) break;
   }
 }
 
 bool Source::empty() {
   skip_blanks();
   last_ = position_;
-  return position_ == contents_.size() || contents_[position_] == '\n';
+  return position_ == contents_.size() || is_line_end(contents_[position_]);
 }
 
 std::string_view Source::peek_word() const {
   std::size_t end = position_;
-  while (end < contents_.size() && !is_space(contents_[end])) ++end;
+  while (end < contents_.size() && !is_space(contents_[end]) && !(comments_ && contents_[end] == '#') &&
+         joint(end) == 0)
+    ++end;
   return contents_.substr(position_, end - position_);
 }
 
@@ -72,17 +95,31 @@ std::string_view Source::word() {
 std::string_view Source::line() {
   last_ = position_;
   skip_rest_of_line();
-  std::string_view found = contents_.substr(last_, position_ - last_);
-  if (position_ < contents_.size()) ++position_;
-  if (!found.empty() && found.back() == '\r') found.remove_suffix(1);
+  const std::string_view found = contents_.substr(last_, position_ - last_);
+  const std::string_view end = contents_.substr(position_, 2);
+  position_ += std::min<std::size_t>(end.size(), end == "\r\n" && !old_line_ends_ ? 2 : 1);
   return found;
+}
+
+std::string_view Source::rest_of_line() const {
+  const std::string_view rest = contents_.substr(position_);
+  return rest.substr(0, rest.find_first_of("\r\n"));
 }
 
 void Source::next_line() {
   if (binary()) return;
-  if (position_ > 0 && contents_[position_ - 1] != '\n') skip_rest_of_line();
-  while (position_ < contents_.size() && is_space(contents_[position_])) ++position_;
+  if (position_ > start_ && !is_line_end(contents_[position_ - 1])) skip_rest_of_line();
+  for (; position_ < contents_.size(); ++position_) {
+    if (comments_ && contents_[position_] == '#') skip_rest_of_line();
+    if (position_ == contents_.size() || !is_space(contents_[position_])) break;
+  }
   last_ = position_;
+}
+
+std::size_t Source::drop_words() {
+  std::size_t end = position_;
+  while (!empty()) end = position_ += peek_word().size();
+  return end;
 }
 
 // The usual number ends where a blank begins; everything else is looked at again.
@@ -108,13 +145,10 @@ double Source::explained_coordinate(const char* what) {
 std::int64_t Source::text_integer(const char* what) {
   if (empty()) fail(std::string("missing ") + what);
   const std::string_view text = peek_word();
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error == std::errc::result_out_of_range) fail(std::string(what) + " " + quoted(text) + " is too large");
-  if (error != std::errc() || end != text.data() + text.size())
-    fail(std::string(what) + " expected, not " + quoted(text));
+  const Parsed<std::int64_t> parsed = parse_integer(text);
+  if (!parsed.fault.empty()) fail(std::string(what) + " " + parsed.fault);
   position_ += text.size();
-  return value;
+  return parsed.value;
 }
 
 std::string_view Source::bytes(std::size_t count, const char* what) {

@@ -13,18 +13,21 @@ namespace isostretch::mesh {
 enum class Coding { text, little_endian, big_endian };
 
 // A file in memory that holds text, or binary numbers with text around them, read from front to back. Numbers
-// are read as the coding says, words and lines always as text. Failures name the line, or once the coding is
-// binary the byte, of what was read last.
+// are read as the coding says, words and lines always as text; a byte-order mark in front is passed over.
+// Failures name the line, or once the coding is binary the byte, of what was read last.
 class Source {
  public:
-  Source(std::string_view contents, const std::string& name) : contents_(contents), name_(name) {}
+  Source(std::string_view contents, const std::string& name);
 
   void set_coding(Coding coding);
   bool binary() const { return coding_ != Coding::text; }
   // One item a line: words and numbers are not looked for beyond the end of the line.
   void set_by_line(bool by_line) { by_line_ = by_line; }
-  // '#' and the rest of its line count as a blank.
+  // '#' and the rest of its line count as a blank; so words end there.
   void set_comments(bool comments) { comments_ = comments; }
+  // A backslash at the end of a line joins the next one, for words and numbers; line() and next_line() know
+  // nothing of it, so that a comment or a name may end in one.
+  void set_continued(bool continued) { continued_ = continued; }
 
   std::size_t position() const { return position_; }
   std::size_t left() const { return contents_.size() - position_; }
@@ -34,10 +37,14 @@ class Source {
 
   // Text. Only blanks are left, in the line or the file.
   bool empty();
-  std::string_view word();  // empty where empty() is true
-  std::string_view line();  // the rest of the line, without its end; moves on to the next one
-  // In text: drops the rest of the line and empty lines. To call before every item read by line.
+  std::string_view word();                // empty where empty() is true
+  std::string_view line();                // the rest of the line, without its end; moves on to the next one
+  std::string_view rest_of_line() const;  // which stays
+  // In text: drops the rest of the line, empty lines and those of comments. To call before every item read by
+  // line.
   void next_line();
+  // Drops the words that are left of the line and of those joined to it; says where the last one ends.
+  std::size_t drop_words();
   double text_coordinate(const char* what);
   std::int64_t text_integer(const char* what);
 
@@ -64,18 +71,22 @@ class Source {
  private:
   void skip_blanks();
   void skip_rest_of_line();
+  std::size_t joint(std::size_t position) const;
   std::string_view peek_word() const;
   double explained_coordinate(const char* what);
   const char* number_bytes(Scalar type, const char* what);
 
   std::string_view contents_;
   const std::string& name_;
-  std::size_t position_ = 0;
-  std::size_t last_ = 0;  // where the last thing read began
+  std::size_t start_;  // behind the byte-order mark
+  std::size_t position_;
+  std::size_t last_;  // where the last thing read began
   Coding coding_ = Coding::text;
   bool swap_ = false;
   bool by_line_ = false;
   bool comments_ = false;
+  bool continued_ = false;
+  bool old_line_ends_ = false;  // \r alone ends lines: a \n behind it is no part of the end
 };
 
 inline constexpr const char* axis_labels[] = {"x coordinate", "y coordinate", "z coordinate"};

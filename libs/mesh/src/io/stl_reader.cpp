@@ -1,12 +1,15 @@
 #include "face_list.hpp"
 #include "file.hpp"
 #include "number.hpp"
+#include "polygon.hpp"
 #include "source.hpp"
 #include "weld.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/log.hpp>
 #include <isostretch/mesh/io.hpp>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -27,6 +30,9 @@ class StlReader {
       text();
     else
       binary();
+    if (left_out_ > 0)
+      log(LogLevel::info,
+          source_.name() + ": " + std::to_string(left_out_) + " facet(s) that are no face left out");
     if (corners_.empty()) source_.fail("no faces");
     if (corners_.size() / 3 > static_cast<std::size_t>(largest_count)) source_.fail("too many faces");
     return std::move(corners_);
@@ -49,9 +55,14 @@ class StlReader {
     source_.set_coding(Coding::little_endian);
     source_.bytes(header_size, "header");
     const std::int64_t count = source_.integer(Scalar::uint32, "number of triangles");
-    if (static_cast<std::uint64_t>(count) * triangle_size != source_.left())
+    const std::uint64_t size = static_cast<std::uint64_t>(count) * triangle_size;
+    if (size > source_.left() || (size == 0 && source_.left() > 0))
       source_.fail("neither a text that begins with solid, nor " + std::to_string(count) +
                    " triangles of 50 bytes: " + std::to_string(source_.left()) + " bytes follow");
+    if (size < source_.left())
+      log(LogLevel::warning, source_.name() + ": " + std::to_string(source_.left() - size) +
+                                 " bytes follow the " + std::to_string(count) +
+                                 " triangles that the file counts; they are not read");
     corners_.reserve(9 * static_cast<std::size_t>(count));
     for (std::int64_t t = 0; t < count; ++t) {
       source_.bytes(3 * sizeof(float), "normal");
@@ -81,17 +92,29 @@ class StlReader {
     for (; keyword == "vertex"; keyword = lower(source_.word()))
       for (const char* axis : axis_labels) polygon_.push_back(source_.text_coordinate(axis));
     if (keyword != "endloop") fail_expecting("vertex or endloop", keyword);
-    if (const std::string fault = face_fault(corner_count(), options_); !fault.empty()) source_.fail(fault);
-    append_corners();
+    add_facet();
     expect("endfacet");
   }
 
-  std::int64_t corner_count() const { return static_cast<std::int64_t>(polygon_.size() / 3); }
+  void add_facet() {
+    const std::size_t count = polygon_.size() / 3;
+    std::vector<int> triangles;
+    if (count == 3) triangles = {0, 1, 2};
+    if (count > 3) triangles = triangulated(points_of_facet());
+    if (triangles.empty() && !options_.leave_out_faces)
+      source_.fail("facet with " + std::to_string(count) + " vertices" +
+                   (count > 3 ? ", which crosses itself or has no area" : ""));
+    left_out_ += triangles.empty() ? 1 : 0;
+    for (const int corner : triangles)
+      for (std::size_t i = 0; i < 3; ++i)
+        corners_.push_back(polygon_[3 * static_cast<std::size_t>(corner) + i]);
+  }
 
-  void append_corners() {
-    for (std::size_t i = 6; i < polygon_.size(); i += 3)
-      for (const std::size_t corner : {std::size_t{0}, i - 3, i})
-        for (std::size_t c = corner; c < corner + 3; ++c) corners_.push_back(polygon_[c]);
+  std::vector<std::array<double, 3>> points_of_facet() const {
+    std::vector<std::array<double, 3>> points;
+    for (std::size_t i = 0; i < polygon_.size(); i += 3)
+      points.push_back({polygon_[i], polygon_[i + 1], polygon_[i + 2]});
+    return points;
   }
 
   void expect(const char* wanted) {
@@ -110,7 +133,12 @@ class StlReader {
   const ReadOptions& options_;
   std::vector<double> corners_;
   std::vector<double> polygon_;  // points of the facet being read
+  long left_out_ = 0;
 };
+
+SurfaceMesh surface_of(const std::vector<double>& points, const std::vector<int>& index) {
+  return {to_rows<double, 3>(points), to_rows<int, 3>(index), {}, {}};
+}
 
 SurfaceMesh separate(const std::vector<double>& corners) {
   std::vector<int> index(corners.size() / 3);

@@ -11,7 +11,11 @@ namespace isostretch::mesh {
 inline constexpr int vtk_triangle = 5;
 inline constexpr int vtk_triangle_strip = 6;
 inline constexpr int vtk_polygon = 7;
+inline constexpr int vtk_quad = 9;
 inline constexpr int vtk_tet = 10;
+inline constexpr int vtk_hex = 12;
+inline constexpr int vtk_quadratic_triangle = 22;
+inline constexpr int vtk_quadratic_tet = 24;
 
 // Cell c has the points connectivity[offsets[c]] to connectivity[offsets[c + 1] - 1]; offsets begin with 0.
 struct VtkCells {

@@ -1,3 +1,4 @@
+#include "characters.hpp"
 #include "file.hpp"
 #include "number.hpp"
 #include "source.hpp"
@@ -6,6 +7,7 @@
 #include <isostretch/mesh/io.hpp>
 
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace isostretch::mesh {
@@ -13,7 +15,7 @@ namespace {
 
 class VtkReader {
  public:
-  VtkReader(std::string_view contents, const std::string& name, Shape wanted, const ReadOptions& options)
+  VtkReader(std::string_view contents, const std::string& name, Wanted wanted, const ReadOptions& options)
       : source_(contents, name), elements_(wanted, options) {}
 
   MixedMesh read() {
@@ -24,8 +26,7 @@ class VtkReader {
       source_.fail(std::to_string(types_.size()) + " cell types for " + std::to_string(grid_.count()) +
                    " cells");
     add(grid_, types_, source_.place(grid_start_));
-    if (elements_.empty()) source_.fail(elements_.missing());
-    return {std::move(vertices_), std::move(elements_)};
+    return {std::move(vertices_), std::move(elements_), source_.place()};
   }
 
  private:
@@ -80,9 +81,10 @@ class VtkReader {
     return true;
   }
 
-  Scalar type() {
-    constexpr std::array<std::pair<std::string_view, Scalar>, 14> types = {
+  static std::optional<Scalar> find_type(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, Scalar>, 18> types = {
         {{"char", Scalar::int8},
+         {"signed_char", Scalar::int8},
          {"unsigned_char", Scalar::uint8},
          {"short", Scalar::int16},
          {"unsigned_short", Scalar::uint16},
@@ -94,11 +96,19 @@ class VtkReader {
          {"double", Scalar::float64},
          {"vtkidtype", Scalar::int32},
          {"vtktypeint32", Scalar::int32},
+         {"vtktypeuint32", Scalar::uint32},
          {"vtktypeint64", Scalar::int64},
-         {"vtktypeuint64", Scalar::uint64}}};
-    const std::string name = lower(source_.word());
+         {"vtktypeuint64", Scalar::uint64},
+         {"vtktypefloat32", Scalar::float32},
+         {"vtktypefloat64", Scalar::float64}}};
     for (const auto& [known, type] : types)
       if (known == name) return type;
+    return std::nullopt;
+  }
+
+  Scalar type() {
+    const std::string name = lower(source_.word());
+    if (const auto found = find_type(name)) return *found;
     source_.fail("unknown type " + quoted(name));
   }
 
@@ -206,21 +216,54 @@ class VtkReader {
     for (int arrays = source_.text_count("number of arrays", 8); arrays > 0; --arrays) skip_array();
   }
 
+  // VTK puts names of components between the arrays.
   void skip_array() {
-    source_.word();  // its name
+    std::string_view name = source_.word();
+    while (lower(name) == "metadata" && trimmed(source_.rest_of_line()).empty()) {
+      skip_metadata();
+      name = source_.word();
+    }
     const int components = source_.text_count("number of components", 1);
     const int tuples = source_.text_count("number of tuples", 1);
     const Place place = source_.place();
-    const Scalar number = type();
+    const std::string type = lower(source_.word());
+    if (type.empty()) source_.fail("the file ends within an array");
     source_.line();
-    const std::int64_t count = std::int64_t{components} * tuples;
-    source_.checked_count(count, "length of an array", bytes_of(number), place);
-    if (source_.binary()) {
-      source_.bytes(static_cast<std::size_t>(count) * size_of(number), "array");
-      return;
+    skip_values(type, std::int64_t{components} * tuples, place);
+  }
+
+  // Nothing in the arrays is used, and texts may stand in them.
+  void skip_values(const std::string& type, std::int64_t count, const Place& place) {
+    const std::optional<Scalar> number = find_type(type);
+    const bool texts = type == "string" || type == "utf8_string";
+    if (source_.binary() && number) {
+      source_.checked_count(count, "length of an array", size_of(*number), place);
+      source_.bytes(static_cast<std::size_t>(count) * size_of(*number), "array");
+    } else if (source_.binary() && type == "bit") {
+      source_.bytes(static_cast<std::size_t>((count + 7) / 8), "array");
+    } else if (source_.binary() && texts) {
+      for (std::int64_t i = 0; i < count; ++i) skip_text();
+    } else if (texts || type == "variant") {
+      source_.checked_count(count, "length of an array", 1, place);
+      for (std::int64_t i = 0; i < count; ++i) source_.line();
+    } else if (source_.binary()) {
+      place.fail("array of unknown type " + quoted(type));
+    } else {
+      source_.checked_count(count, "length of an array", 2, place);
+      for (std::int64_t i = 0; i < count; ++i)
+        if (source_.word().empty()) source_.fail("the file ends within an array");
     }
-    for (std::int64_t i = 0; i < count; ++i)
-      if (source_.word().empty()) source_.fail("the file ends within an array");
+  }
+
+  // Two bits say in how many bytes the length is, themselves included.
+  void skip_text() {
+    const std::int64_t first = source_.integer(Scalar::uint8, "length of a text");
+    constexpr int sizes[] = {8, 4, 2, 1};
+    std::uint64_t length = static_cast<std::uint64_t>(first & 63);
+    for (int i = sizes[first >> 6]; i > 1; --i)
+      length = length << 8 | static_cast<std::uint64_t>(source_.integer(Scalar::uint8, "length of a text"));
+    if (length > source_.left()) source_.fail("the file ends within a text");
+    source_.bytes(static_cast<std::size_t>(length), "text");
   }
 
   static constexpr int no_type = 0;
@@ -239,11 +282,16 @@ class VtkReader {
 
 SurfaceMesh parse_vtk_surface(std::string_view contents, const std::string& name,
                               const ReadOptions& options) {
-  return surface_of(VtkReader(contents, name, Shape::face, options).read());
+  return surface_of(VtkReader(contents, name, Wanted::surface, options).read());
 }
 
 TetMesh parse_vtk_tets(std::string_view contents, const std::string& name, const ReadOptions& options) {
-  return tets_of(VtkReader(contents, name, Shape::tet, options).read());
+  return tets_of(VtkReader(contents, name, Wanted::tets, options).read());
+}
+
+ElementMesh parse_vtk_elements(std::string_view contents, const std::string& name,
+                               const ReadOptions& options) {
+  return elements_of(VtkReader(contents, name, Wanted::elements, options).read());
 }
 
 SurfaceMesh read_vtk_surface(const std::string& path, const ReadOptions& options) {

@@ -21,7 +21,7 @@ struct Piece {
 // First the tags, which say where the arrays are; then the arrays of one piece after the other.
 class VtuReader {
  public:
-  VtuReader(std::string_view contents, const std::string& name, Shape wanted, const ReadOptions& options)
+  VtuReader(std::string_view contents, const std::string& name, Wanted wanted, const ReadOptions& options)
       : contents_(contents), xml_(contents, name), arrays_(contents, name), elements_(wanted, options) {}
 
   MixedMesh read() {
@@ -30,8 +30,7 @@ class VtuReader {
       if (tag.kind != XmlTag::Kind::close) enter(tag);
     if (!file_seen_) fail(0, "not a VTK XML file: it has no VTKFile element");
     for (const Piece& piece : pieces_) add(piece);
-    if (elements_.empty()) fail(contents_.size(), elements_.missing());
-    return {std::move(vertices_), std::move(elements_)};
+    return {std::move(vertices_), std::move(elements_), xml_.place(contents_.size())};
   }
 
  private:
@@ -169,11 +168,16 @@ class VtuReader {
 
 SurfaceMesh parse_vtu_surface(std::string_view contents, const std::string& name,
                               const ReadOptions& options) {
-  return surface_of(VtuReader(contents, name, Shape::face, options).read());
+  return surface_of(VtuReader(contents, name, Wanted::surface, options).read());
 }
 
 TetMesh parse_vtu_tets(std::string_view contents, const std::string& name, const ReadOptions& options) {
-  return tets_of(VtuReader(contents, name, Shape::tet, options).read());
+  return tets_of(VtuReader(contents, name, Wanted::tets, options).read());
+}
+
+ElementMesh parse_vtu_elements(std::string_view contents, const std::string& name,
+                               const ReadOptions& options) {
+  return elements_of(VtuReader(contents, name, Wanted::elements, options).read());
 }
 
 SurfaceMesh read_vtu_surface(const std::string& path, const ReadOptions& options) {

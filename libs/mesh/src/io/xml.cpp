@@ -1,13 +1,10 @@
 #include "xml.hpp"
 
+#include "characters.hpp"
 #include "number.hpp"
 
 namespace isostretch::mesh {
 namespace {
-
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
-}
 
 bool ends_name(char c) {
   return is_space(c) || c == '>' || c == '/' || c == '=' || c == '<' || c == '"' || c == '\'';

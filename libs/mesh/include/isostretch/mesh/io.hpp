@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/mesh/element_mesh.hpp>
 #include <isostretch/mesh/types.hpp>
 
 #include <string>
@@ -8,10 +9,10 @@
 namespace isostretch::mesh {
 
 struct ReadOptions {
-  // A face of more than three vertices is cut into a fan around its first vertex (right for convex faces);
-  // otherwise it is refused.
-  bool triangulate_polygons = false;
-  // OBJ: take texture coordinates. Either every face has them or none; false ignores them.
+  /// Faces that are none (of less than three vertices, or polygons that cross themselves or have no area) are
+  /// left out, and the log told how many; otherwise they are refused.
+  bool leave_out_faces = false;
+  // OBJ, PLY: take texture coordinates. Either every face has them or none; false ignores them.
   bool read_uv = true;
   // STL, which knows corners only: equal corners become one vertex. Otherwise every triangle has three of its
   // own.
@@ -20,6 +21,12 @@ struct ReadOptions {
   double weld_tolerance = 0;
 };
 
+// Faces of more than three vertices, concave ones too, are cut into triangles along their diagonals, in the
+// plane that fits them; triangles follow the order of the faces.
+//
+// Text is read alike in every format: lines end with \n, \r\n or \r alone, a byte-order mark in front is
+// passed over, and a comment ends with its line.
+//
 // Every fault throws Error, "path:line: what" in text and "path: byte N: what" in binary: numbers that do not
 // parse or are not finite, indices out of range, faces with fewer than three vertices, a file that ends
 // early, one without any of the elements asked for, or one that cannot be opened. Memory is taken as the size
@@ -53,45 +60,58 @@ void write_surface(const std::string& path, const SurfaceMesh& mesh, const Write
 // .msh .mesh .vtk .vtu.
 void write_tets(const std::string& path, const TetMesh& mesh, const WriteOptions& options = {});
 
-// Wavefront OBJ: v, vt and f, with negative indices, line continuations and CRLF. Normals, groups, materials,
-// colours after a vertex and every other statement are skipped.
+// Wavefront OBJ: v, vt and f, with negative indices and line continuations. Normals, groups, materials,
+// colours after a vertex and every other statement are skipped; obj_document.hpp keeps them.
 SurfaceMesh read_obj(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_obj(std::string_view text, const std::string& name, const ReadOptions& options = {});
 void write_obj(const std::string& path, const SurfaceMesh& mesh);
 std::string format_obj(const SurfaceMesh& mesh);
 
 // Object File Format in text, with comments; colours, normals and texture coordinates of vertices and faces
-// are skipped. Only OBJ and glTF hold texture coordinates; all other writers leave them out.
+// are skipped. Only OBJ, PLY and glTF hold texture coordinates; all other writers leave them out.
 SurfaceMesh read_off(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_off(std::string_view text, const std::string& name, const ReadOptions& options = {});
 void write_off(const std::string& path, const SurfaceMesh& mesh);
 std::string format_off(const SurfaceMesh& mesh);
 
 // Stanford PLY in text and in either byte order: x, y, z of vertices, and faces from the list vertex_indices
-// or vertex_index, in any types; other elements and properties are skipped. Written with doubles, binary in
-// little endian.
+// or vertex_index, in any types; other elements and properties are skipped. Texture coordinates are
+// properties of vertices (s and t, u and v, texture_u and texture_v, texture_s and texture_t) or, before
+// these, the list texcoord of faces. Written with doubles, binary in little endian, texture coordinates as s
+// and t unless a vertex has several.
 SurfaceMesh read_ply(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_ply(std::string_view contents, const std::string& name, const ReadOptions& options = {});
 void write_ply(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options = {});
 std::string format_ply(const SurfaceMesh& mesh, const WriteOptions& options = {});
 
-// STL, binary if the length is what its number of triangles makes, and text otherwise; normals, colours and
-// names are skipped. Reading only.
+// STL, binary if the length is what its number of triangles makes, and text if it begins with solid; normals,
+// colours and names are skipped. What follows the triangles that a binary file counts is not read, and the
+// log told. Reading only.
 SurfaceMesh read_stl(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_stl(std::string_view contents, const std::string& name, const ReadOptions& options = {});
 
-// The formats below hold triangles and tetrahedra. Reading a surface takes triangles, and quadrangles and
-// polygons where the format has them as ReadOptions says; reading tetrahedra takes these. All other elements
-// (points, lines, hexahedra, prisms, pyramids, everything of higher order) are skipped, and so are groups,
-// entities, partitions and data.
+// The formats below hold elements of many kinds. Reading a surface takes triangles, quadrangles and polygons,
+// and refuses faces of higher order. Reading tetrahedra takes those of four nodes, and refuses a file with
+// other solid elements, naming how many of which kind. Reading elements takes those of the highest dimension
+// in the file, which must be of one kind: triangles and tetrahedra, linear or of second order, quadrangles or
+// hexahedra. Points, lines, the faces of a solid, entities, partitions and data are skipped.
+
+/// Reads the elements of a body, and the groups they are in, by the extension: .msh .mesh .vtk .vtu .node
+/// .ele, and of surfaces .obj .off .ply .stl, whose faces become triangles.
+ElementMesh read_elements(const std::string& path, const ReadOptions& options = {});
 
 // Gmsh MSH, versions 2.0 to 2.2, 4.0 and 4.1, text and binary of either byte order. Node tags may have gaps;
-// vertices are in the order of the file.
+// vertices are in the order of the file. An element that is there several times under one number, or in
+// version 2 once for each of its physical groups, is one element; different ones under one number are
+// refused.
 SurfaceMesh read_msh_surface(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_msh_surface(std::string_view contents, const std::string& name,
                               const ReadOptions& options = {});
 TetMesh read_msh_tets(const std::string& path, const ReadOptions& options = {});
 TetMesh parse_msh_tets(std::string_view contents, const std::string& name, const ReadOptions& options = {});
+/// Reads the elements of a body from memory, see read_elements().
+ElementMesh parse_msh_elements(std::string_view contents, const std::string& name,
+                               const ReadOptions& options = {});
 void write_msh(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options = {});
 void write_msh(const std::string& path, const TetMesh& mesh, const WriteOptions& options = {});
 std::string format_msh(const SurfaceMesh& mesh, const WriteOptions& options = {});
@@ -103,6 +123,9 @@ SurfaceMesh parse_medit_surface(std::string_view text, const std::string& name,
                                 const ReadOptions& options = {});
 TetMesh read_medit_tets(const std::string& path, const ReadOptions& options = {});
 TetMesh parse_medit_tets(std::string_view text, const std::string& name, const ReadOptions& options = {});
+/// Reads the elements of a body from memory, see read_elements().
+ElementMesh parse_medit_elements(std::string_view text, const std::string& name,
+                                 const ReadOptions& options = {});
 void write_medit(const std::string& path, const SurfaceMesh& mesh);
 void write_medit(const std::string& path, const TetMesh& mesh);
 std::string format_medit(const SurfaceMesh& mesh);
@@ -115,6 +138,9 @@ SurfaceMesh parse_vtk_surface(std::string_view contents, const std::string& name
                               const ReadOptions& options = {});
 TetMesh read_vtk_tets(const std::string& path, const ReadOptions& options = {});
 TetMesh parse_vtk_tets(std::string_view contents, const std::string& name, const ReadOptions& options = {});
+/// Reads the elements of a body from memory, see read_elements().
+ElementMesh parse_vtk_elements(std::string_view contents, const std::string& name,
+                               const ReadOptions& options = {});
 void write_vtk(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options = {});
 void write_vtk(const std::string& path, const TetMesh& mesh, const WriteOptions& options = {});
 std::string format_vtk(const SurfaceMesh& mesh, const WriteOptions& options = {});
@@ -127,6 +153,9 @@ SurfaceMesh parse_vtu_surface(std::string_view contents, const std::string& name
                               const ReadOptions& options = {});
 TetMesh read_vtu_tets(const std::string& path, const ReadOptions& options = {});
 TetMesh parse_vtu_tets(std::string_view contents, const std::string& name, const ReadOptions& options = {});
+/// Reads the elements of a body from memory, see read_elements().
+ElementMesh parse_vtu_elements(std::string_view contents, const std::string& name,
+                               const ReadOptions& options = {});
 void write_vtu(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options = {});
 void write_vtu(const std::string& path, const TetMesh& mesh, const WriteOptions& options = {});
 std::string format_vtu(const SurfaceMesh& mesh, const WriteOptions& options = {});

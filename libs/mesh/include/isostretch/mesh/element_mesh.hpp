@@ -1,0 +1,29 @@
+#pragma once
+
+#include <isostretch/mesh/shape_functions.hpp>
+#include <isostretch/mesh/types.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace isostretch::mesh {
+
+/// Elements that a file gives a number, and perhaps a name, in common: a physical group of Gmsh, a reference
+/// of MEDIT, a region of TetGen.
+struct ElementGroup {
+  std::int64_t number = 0;
+  std::string name;           ///< empty where the file has none
+  std::vector<int> elements;  ///< ascending, from 0
+};
+
+/// Elements of one kind as a file has them: solid ones, or without any flat ones in space.
+struct ElementMesh {
+  Shape shape = Shape::tet;
+  Points3 vertices;  ///< #V x 3, in the order of the file
+  /// #E x the nodes of the shape, into vertices, in VTK's order (see types.hpp).
+  Eigen::Matrix<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor | Eigen::DontAlign> elements;
+  std::vector<ElementGroup> groups;  ///< by number; an element may be in several, or in none
+};
+
+}  // namespace isostretch::mesh
