@@ -70,4 +70,26 @@ Cut cut_to_disks(const SurfaceMesh& mesh, const CutOptions& options = {});
 // is on the boundary already or in no triangle.
 std::vector<int> extend_cut(Cut& cut, int vertex);
 
+/// What became of a cut whose charts were divided.
+struct Division {
+  std::vector<int>
+      previous_vertex;  ///< vertex of the new cut mesh -> vertex before, by which values are carried
+  std::vector<int> previous_chart;  ///< chart now -> chart it was part of
+};
+
+/// Divides charts along the edges between triangles of different parts.
+///
+/// `part` has a number for every triangle, counted from 0 in the order of their first triangles; a part lies
+/// in one chart and becomes one. Vertices keep their numbers and copies come last; nothing moves. Throws
+/// Error when a triangle has no number or parts are not counted so.
+Division divide_charts(Cut& cut, const std::vector<int>& part);
+
+/// Divides the charts that lie on themselves in a layout until none does.
+///
+/// `uv` has a row for every vertex of the cut mesh; charts may lie on each other. Parts of a chart that
+/// overlap are separated by the shortest way between them along edges, and parts that no longer overlap are
+/// joined again. Nothing has to be solved anew: triangles keep their shapes. Throws Error for coordinates
+/// that are not finite.
+Division split_overlap(Cut& cut, const Points2& uv);
+
 }  // namespace isostretch::mesh
