@@ -73,6 +73,11 @@ struct Options {
   bool splits_overlap(std::size_t charts) const {
     return overlap == OverlapRule::split || (overlap == OverlapRule::automatic && cut && packs(charts));
   }
+  // Whether the cut of a closed surface goes on to what comes out distorted.
+  bool reaches_tips() const {
+    return cut && cut_tips > 2 && initial == Initial::tutte && boundary == Boundary::free && !has_pins() &&
+           aligned.empty();
+  }
   // Places that the user gives are in units of the model.
   UvUnits units() const {
     if (uv_units != UvUnits::automatic) return uv_units;
