@@ -35,7 +35,6 @@ void CommandLine::declare_files(CLI::App& cli) {
   cli.add_flag(
       "--repair", repair_,
       "Orient triangles alike, drop duplicate and degenerate ones, split vertices where sheets touch");
-  cli.add_flag("--keep-normalized", keep_normalized_, "Write uv for total area 1, not in the model's units");
   cli.add_flag("--no-picture", no_picture_,
                "Do not draw pictures, and write no report.html, which shows them");
   cli.add_flag("--glb", glb_, "Also write <model>_uv.glb with a checkerboard as texture");
@@ -76,11 +75,26 @@ void CommandLine::declare_layout(CLI::App& cli) {
       ->capture_default_str();
   cli.add_option("--corners", corners_, "Four boundary vertices for the corners of the square, in order")
       ->type_name("A,B,C,D");
-  cli.add_option(
-         "--pack", pack_,
-         "square: charts side by side in the unit square; none: where they are; auto: square for several")
+  cli.add_option("--pack", pack_,
+                 "square: charts side by side in a square; none: where they are; auto: square, but none when "
+                 "the start "
+                 "is the input's uv or one chart has pins")
       ->check(one_of(all_names(pack_names)))
       ->type_name("HOW")
+      ->capture_default_str();
+  cli.add_option(
+         "--overlap", overlap_,
+         "What to do about a chart that lies on itself: split it and pack the parts, or allow it; auto: "
+         "split when charts are packed, unless --no-cut")
+      ->check(one_of(all_names(overlap_names)))
+      ->type_name("WHAT")
+      ->capture_default_str();
+  cli.add_option(
+         "--uv-units", uv_units_,
+         "square: uv from 0 to 1; model: lengths as on the model; area: total area 1; auto: square, but "
+         "model with pins")
+      ->check(one_of(all_names(uv_units_names)))
+      ->type_name("UNITS")
       ->capture_default_str();
   cli.add_option("--margin", margin_, "Space around packed charts, as a fraction of the square")
       ->check(number_between(0.0, 0.25))
@@ -166,6 +180,12 @@ void require_consistent(const Options& options) {
   if (shaped && options.initial == Initial::input)
     throw Error(
         "--boundary circle, square: the start puts the boundary there, which --initial input does not");
+  if (options.uv_units == UvUnits::square && options.has_pins())
+    throw Error("--uv-units square: where pins are is given in units of the model, or of total area 1");
+  if (options.overlap == OverlapRule::split && !options.cut)
+    throw Error("--overlap split: cuts, which --no-cut does not allow");
+  if (options.overlap == OverlapRule::split && options.pack == Pack::none)
+    throw Error("--overlap split: parts of a chart come apart only when they are packed");
   if (options.max_distortion > 0 && (options.initial == Initial::input || !options.cut))
     throw Error("--max-distortion: cuts, which --initial input and --no-cut do not allow");
   if (options.max_distortion > 0 && (options.has_pins() || !options.aligned.empty()))
@@ -193,7 +213,8 @@ Options CommandLine::options() const {
     options.corners = vertex_list(corners_, "--corners");
     options.pack = choice_of(pack_names, pack_);
     options.margin = margin_;
-    options.keep_normalized = keep_normalized_;
+    options.overlap = choice_of(overlap_names, overlap_);
+    options.uv_units = choice_of(uv_units_names, uv_units_);
     options.picture = !no_picture_;
     options.glb = glb_;
     options.pins = parse_pins(pins_);

@@ -34,11 +34,12 @@ class CommandLine {
   std::string model_, out_, energy_ = "symmetric_dirichlet", initial_ = "tutte";
   SolverFlags solver_flags_;
   std::vector<std::string> parameters_, pins_, soft_pins_, horizontal_, vertical_;
-  std::string holes_ = "short", seams_ = "input", boundary_ = "free", corners_, pack_ = "auto";
+  std::string holes_ = "short", seams_ = "input", boundary_ = "free", corners_, pack_ = "auto",
+              overlap_ = "auto", uv_units_ = "auto";
   int cut_tips_ = Options().cut_tips, max_cuts_ = Options().max_cuts;
   double max_distortion_ = 0, margin_ = Options().margin;
-  bool check_ = false, triangulate_ = false, repair_ = false, no_cut_ = false, keep_normalized_ = false,
-       no_picture_ = false, glb_ = false;
+  bool check_ = false, triangulate_ = false, repair_ = false, no_cut_ = false, no_picture_ = false,
+       glb_ = false;
 };
 
 }  // namespace isostretch::app::parameterize

@@ -141,6 +141,7 @@ Domain read_domain(const Options& options) {
       domain.components = report.components;
       domain.boundary_loops = report.boundary_loops;
       domain.genus = report.genus;
+      domain.closed = report.boundary_loops == 0;
       domain.seams_from_input =
           options.cut && domain.input.has_uv() && !mesh::seams_of_uv(domain.input).empty();
       if (options.initial == Initial::input)

@@ -20,7 +20,8 @@ struct Domain {
   mesh::Points2 input_uv;  // per vertex of cut.mesh, when the input's uv is the start
   int components = 0;      // of the input
   int boundary_loops = 0;
-  int genus = -1;  // summed over components; -1: not defined
+  bool closed = false;  // no component has a boundary
+  int genus = -1;       // summed over components; -1: not defined
   bool seams_from_input = false;
 
   const mesh::SurfaceMesh& open() const { return cut.mesh; }

@@ -6,11 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <utility>
 
 namespace isostretch::app::parameterize {
 namespace {
+
+double area_of(const Domain& domain) {
+  double area = 0;
+  for (const mesh::Chart& chart : domain.cut.charts) area += chart.area;
+  return area;
+}
 
 double distortion_of(const std::vector<double>& stretches, std::size_t triangle) {
   const double largest = stretches[2 * triangle], smallest = stretches[2 * triangle + 1];
@@ -25,25 +32,72 @@ double worst_distortion(const std::vector<double>& stretches) {
   return worst;
 }
 
+namespace {
+
+struct Spot {
+  double score = 0;
+  int vertex = -1;
+};
+
 // A spot deep inside gains more from a cut than a triangle beside the boundary, which would be cut off edge
 // by edge: excess counts times distance.
-int worst_vertex(const Domain& domain, const std::vector<double>& stretches, double bound) {
-  const mesh::SurfaceMesh& open = domain.open();
-  const std::vector<double> distance = mesh::distance_to_boundary(open);
-  double highest = 0;
-  int worst = -1;
+std::vector<Spot> spots(const mesh::SurfaceMesh& open, const std::vector<double>& stretches, double bound,
+                        const std::vector<double>& distance) {
+  std::map<int, double> scores;
   for (Eigen::Index t = 0; t < open.triangles.rows(); ++t) {
     const double excess = std::log(distortion_of(stretches, static_cast<std::size_t>(t)) / bound);
     if (!(excess > 0)) continue;
     for (const int v : open.triangles.row(t)) {
-      const double score = excess * distance[static_cast<std::size_t>(v)];
-      if (score > highest) highest = score, worst = v;
+      double& score = scores[v];
+      score = std::max(score, excess * distance[static_cast<std::size_t>(v)]);
     }
   }
-  return worst;
+  std::vector<Spot> result;
+  for (const auto& [vertex, score] : scores)
+    if (score > 0) result.push_back({score, vertex});
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Spot& a, const Spot& b) { return a.score > b.score; });
+  return result;
 }
 
+}  // namespace
+
+// One cut relieves its surroundings: what lies as near to a spot as the boundary does twice over waits.
+std::vector<int> worst_vertices(const Domain& domain, const std::vector<double>& stretches, double bound) {
+  const mesh::SurfaceMesh& open = domain.open();
+  const std::vector<double> distance = mesh::distance_to_boundary(open);
+  std::vector<int> chosen;
+  for (const Spot& spot : spots(open, stretches, bound, distance)) {
+    const auto place = open.vertices.row(spot.vertex);
+    const bool near = std::any_of(chosen.begin(), chosen.end(), [&](int other) {
+      const double reach = 2 * std::max(distance[static_cast<std::size_t>(other)],
+                                        distance[static_cast<std::size_t>(spot.vertex)]);
+      return (open.vertices.row(other) - place).norm() < std::max(reach, 0.12 * std::sqrt(area_of(domain)));
+    });
+    if (!near) chosen.push_back(spot.vertex);
+  }
+  return chosen;
+}
+
+namespace {
+
+// Inside a surface a vertex has as many neighbours as triangles.
+bool on_boundary(const mesh::Triangles& triangles, int vertex) {
+  std::set<int> neighbours;
+  std::size_t fan = 0;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
+    const auto corners = triangles.row(t);
+    if ((corners.array() != vertex).all()) continue;
+    ++fan;
+    neighbours.insert(corners.begin(), corners.end());
+  }
+  return neighbours.size() != fan + 1;
+}
+
+}  // namespace
+
 int cut_at(Domain& domain, int vertex, mesh::Points2& uv) {
+  if (on_boundary(domain.open().triangles, vertex)) return -1;
   const std::vector<int> before = mesh::extend_cut(domain.cut, vertex);
   mesh::Points2 carried(static_cast<Eigen::Index>(before.size()), 2);
   for (std::size_t v = 0; v < before.size(); ++v)

@@ -10,11 +10,12 @@ namespace isostretch::app::parameterize {
 // is turned over.
 double worst_distortion(const std::vector<double>& stretches);
 
-// The vertex inside a chart (of the opened mesh) from where a cut promises most: in a triangle far above the
-// bound and far from the boundary; -1: none.
-int worst_vertex(const Domain& domain, const std::vector<double>& stretches, double bound);
+// Vertices inside charts (of the opened mesh) from where cuts promise most, best first: in triangles far
+// above the bound and far from the boundary, each the only one around.
+std::vector<int> worst_vertices(const Domain& domain, const std::vector<double>& stretches, double bound);
 
-// Cuts from there to the boundary of its chart; uv follows. Returns the chart.
+// Cuts from there to the boundary of its chart; uv follows. Returns the chart; -1 and does nothing when an
+// earlier cut has come to the vertex.
 int cut_at(Domain& domain, int vertex, mesh::Points2& uv);
 
 // The most distorted triangle above the bound that has an edge to another one of its chart; -1: none.

@@ -27,8 +27,21 @@ void pack_charts(const Start& start, const Options& options, Layout& layout) {
   }
   for (std::size_t c = 0; c < charts.size(); ++c) start.charts[c].scatter(charts[c], layout.uv);
   layout.packed = true;
-  layout.scale *= packing.scale;
   layout.coverage = packing.coverage;
+  if (options.units() == UvUnits::square)
+    layout.scale *= packing.scale;
+  else
+    layout.uv /= packing.scale;
+}
+
+// Into the unit square without turning it, where charts stay beside or on each other as they are.
+void fit_into_square(const Options& options, Layout& layout) {
+  const Eigen::RowVector2d low = layout.uv.colwise().minCoeff(), size = layout.uv.colwise().maxCoeff() - low;
+  const double scale = (1 - 2 * options.margin) / size.maxCoeff();
+  if (!std::isnormal(scale)) return;  // shrunk to a point
+  layout.uv = (layout.uv.rowwise() - (low + 0.5 * size)) * scale;
+  layout.uv.array() += 0.5;
+  layout.scale *= scale;
 }
 
 // Vertices of no triangle have a row of uv too; it must not lie outside the layout.
@@ -49,9 +62,12 @@ Layout lay_out(const Domain& domain, const Start& start, const Solution& solutio
   layout.scale = start.unit_length / std::sqrt(start.total_area);
   for (const HardPin& pin : solution.pins.hard)
     if (pin.output) layout.uv.row(pin.node) = *pin.output;  // to the last bit as asked
+  place_unreferenced(start, layout);
   if (options.packs(start.charts.size())) pack_charts(start, options, layout);
+  if (!layout.packed && options.units() == UvUnits::square) fit_into_square(options, layout);
   place_unreferenced(start, layout);
   layout.flipped = mesh::orientation(layout.uv, domain.open().triangles).flipped;
+  if (layout.uv.allFinite()) layout.overlap = mesh::find_overlap(layout.uv, domain.open().triangles);
   return layout;
 }
 

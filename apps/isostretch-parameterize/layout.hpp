@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solve.hpp"
+#include "overlap.hpp"
 
 #include <vector>
 
@@ -11,12 +11,13 @@ struct Layout {
   mesh::Points2 uv;  // of the opened mesh
   bool packed = false;
   double scale = 1;          // uv lengths over lengths of the model, where nothing is distorted
-  double coverage = 0;       // of the unit square, when packed
+  double coverage = 0;       // of the square, when packed: the share under triangles
   std::vector<int> flipped;  // triangles
+  mesh::Overlap overlap;     // of the layout as it is written, charts on each other included
 };
 
-// Scales the charts to output units and, where that is asked for or there are several, packs them into the
-// unit square. Throws Failure (ExitCode::command_line) when the margin leaves no room.
+// Packs the charts into a square where that is asked for, and brings uv to output units. Throws Failure
+// (ExitCode::command_line) when the margin leaves no room.
 Layout lay_out(const Domain& domain, const Start& start, const Solution& solution, const Options& options);
 
 }  // namespace isostretch::app::parameterize

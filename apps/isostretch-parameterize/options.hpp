@@ -33,6 +33,9 @@ struct AlignedVertices {
 enum class Initial { tutte, input };
 enum class Boundary { free, fixed, circle, square };
 enum class Pack { automatic, square, none };
+enum class OverlapRule { automatic, split, allow };
+// One side of the unit square, one unit of the model, or the side of a square as large as the surface.
+enum class UvUnits { automatic, square, model, area };
 
 struct Options {
   std::filesystem::path model;
@@ -50,7 +53,8 @@ struct Options {
   std::vector<int> corners;  // of the square, vertices of the input
   Pack pack = Pack::automatic;
   double margin = 1.0 / 256;
-  bool keep_normalized = false;
+  OverlapRule overlap = OverlapRule::automatic;
+  UvUnits uv_units = UvUnits::automatic;
   bool picture = true;
   bool glb = false;
   std::vector<Pin> pins;
@@ -59,10 +63,25 @@ struct Options {
   newton::Options newton;
 
   bool has_pins() const { return !pins.empty() || !soft_pins.empty(); }
-  // Whether so many charts are moved into the unit square.
+  // Whether so many charts are laid side by side into a square.
   bool packs(std::size_t charts) const {
     if (pack != Pack::automatic) return pack == Pack::square;
-    return charts > 1 && initial != Initial::input;
+    return initial != Initial::input && (charts > 1 || !has_pins());
+  }
+  // Whether charts that lie on themselves are divided. Parts that are not packed would stay where they are.
+  bool splits_overlap(std::size_t charts) const {
+    return overlap == OverlapRule::split || (overlap == OverlapRule::automatic && cut && packs(charts));
+  }
+  // Whether the cut of a closed surface goes on to what comes out distorted.
+  bool reaches_tips() const {
+    return cut && cut_tips > 2 && initial == Initial::tutte && boundary == Boundary::free && !has_pins() &&
+           aligned.empty();
+  }
+  // Places that the user gives are in units of the model.
+  UvUnits units() const {
+    if (uv_units != UvUnits::automatic) return uv_units;
+    const bool places = has_pins() || (initial == Initial::input && boundary == Boundary::fixed);
+    return places ? UvUnits::model : UvUnits::square;
   }
 };
 

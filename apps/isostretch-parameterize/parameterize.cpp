@@ -5,6 +5,7 @@
 #include "common/terminal.hpp"
 #include "common/timed.hpp"
 #include "model_picture.hpp"
+#include "outcome.hpp"
 #include "report_page.hpp"
 #include "textured_glb.hpp"
 
@@ -30,9 +31,10 @@ Pictures write(OutputFolder& folder, const Result& result) {
 }
 
 ExitCode conclude(const Result& result, const OutputFolder& folder, const CommonOptions& common) {
-  const newton::Summary& summary = result.solution.summary;
-  print(common.verbose ? summary.full_report() : summary.brief_report() + "\n");
+  if (common.verbose) print(result.solution.summary.full_report());
   for (const auto& path : folder.paths()) print("wrote " + path.string() + "\n");
+  for (const std::string& warning : layout_warnings(result)) warn(warning);
+  print(outcome(result) + "\n");
   const ExitCode code = exit_code(result);
   if (code != ExitCode::success) report_error(verdict(result));
   return code;
@@ -54,9 +56,10 @@ ExitCode parameterize(const Options& options, const energies::AnyEnergy& energy,
   Domain domain = timed(seconds.read, [&] { return read_domain(options); });
   Start start = timed(seconds.initial, [&] { return make_start(domain, energy, options); });
   OutputFolder folder(options.out);
-  const Solution solution = solve(domain, start, energy, options);
+  Solution solution = solve(domain, start, energy, options);
+  const OverlapSplit split = split_overlap(domain, start, solution, options);
   const Layout layout = lay_out(domain, start, solution, options);
-  const Result result{options, energy, domain, start, solution, layout};
+  const Result result{options, energy, domain, start, solution, layout, split};
   const Pictures pictures = timed(seconds.write, [&] { return write(folder, result); });
   seconds.total = timer.seconds();
   const Json summary = summary_json(result, seconds);

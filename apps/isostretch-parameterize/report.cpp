@@ -12,6 +12,8 @@
 #include <isostretch/core/version.hpp>
 #include <isostretch/mesh/seams.hpp>
 
+#include <map>
+
 namespace isostretch::app::parameterize {
 namespace {
 
@@ -66,7 +68,8 @@ Json options_json(const Options& options) {
           {"max_cuts", options.max_cuts},
           {"pack", name_of(pack_names, options.pack)},
           {"margin", options.margin},
-          {"keep_normalized", options.keep_normalized},
+          {"overlap", name_of(overlap_names, options.overlap)},
+          {"uv_units", name_of(uv_units_names, options.units())},
           {"pins", pins_json(options)}};
 }
 
@@ -87,6 +90,19 @@ Json repairs_json(const mesh::RepairReport& repairs) {
           {"vertices_split", repairs.split_vertices}};
 }
 
+Json overlap_json(const Result& r) {
+  const mesh::Overlap& overlap = r.layout.overlap;
+  Json json{{"share", overlap.share()},
+            {"area", overlap.overlapped_area},
+            {"triangles", overlap.triangles.size()},
+            {"charts", charts_concerned(r.domain, overlap)}};
+  if (r.split.done)
+    json["split"] = {{"share_before", r.split.share_before},
+                     {"charts_added", r.split.charts_added},
+                     {"cut_length", r.split.cut_length}};
+  return json;
+}
+
 Json layout_json(const Result& r) {
   return {{"charts", r.start.charts.size()},
           {"uv_points", r.domain.open().vertices.rows()},
@@ -95,7 +111,8 @@ Json layout_json(const Result& r) {
           {"further_cuts", r.solution.cuts},
           {"packed", r.layout.packed},
           {"uv_per_length", r.layout.scale},
-          {"coverage", r.layout.packed ? Json(r.layout.coverage) : Json()}};
+          {"coverage", r.layout.packed ? Json(r.layout.coverage) : Json()},
+          {"overlap", overlap_json(r)}};
 }
 
 Json charts_json(const Result& r) {
@@ -105,12 +122,20 @@ Json charts_json(const Result& r) {
         {{"triangles", chart.triangle.size()},
          {"area", mesh::total_weight(chart.rest)},
          {"start", r.options.initial == Initial::input ? "input" : atlas::start_method_name(chart.method)}});
-  for (const Run& run : r.solution.runs) {  // the last run of a chart counts
-    Json& chart = charts[static_cast<std::size_t>(run.chart)];
-    chart["status"] = newton::status_name(run.summary.status);
-    chart["iterations"] = run.summary.iterations;
-    chart["energy"] = run.summary.energy;
-    chart["gradient_inf_norm"] = run.summary.gradient_inf_norm;
+  // The last run of a chart counts. What it says of energies holds of all parts together.
+  std::map<int, const newton::Summary*> last;
+  for (const Run& run : r.solution.runs) last[run.chart] = &run.summary;
+  std::map<int, int> parts;
+  for (const Chart& chart : r.start.charts) ++parts[chart.solved_as];
+  for (std::size_t c = 0; c < charts.size(); ++c) {
+    const int solved_as = r.start.charts[c].solved_as;
+    const newton::Summary& run = *last.at(solved_as < 0 ? static_cast<int>(c) : solved_as);
+    charts[c]["status"] = newton::status_name(run.status);
+    charts[c]["iterations"] = run.iterations;
+    if (solved_as >= 0) charts[c]["split_from"] = solved_as;
+    if (solved_as >= 0 && parts[solved_as] > 1) continue;
+    charts[c]["energy"] = run.energy;
+    charts[c]["gradient_inf_norm"] = run.gradient_inf_norm;
   }
   return charts;
 }
@@ -136,8 +161,7 @@ ExitCode exit_code(const Result& r) {
 std::string verdict(const Result& r) {
   const newton::Summary& summary = r.solution.summary;
   std::vector<std::string> parts;
-  if (!summary.converged())
-    parts.push_back(std::string(newton::status_name(summary.status)) + ": " + summary.message);
+  if (!summary.converged()) parts.push_back("not converged: " + summary.message);
   if (missed_bound(r))
     parts.push_back("the largest distortion is " + to_text(r.solution.worst_distortion) + ", not " +
                     to_text(r.options.max_distortion) + ", after " + std::to_string(r.solution.cuts) +
@@ -146,7 +170,7 @@ std::string verdict(const Result& r) {
     parts.push_back(std::to_string(r.layout.flipped.size()) +
                     " triangle(s) of the result are turned over, the first is " +
                     std::to_string(r.layout.flipped[0]));
-  if (parts.empty()) return "converged, no triangle is turned over";
+  if (parts.empty()) return "";
   std::string text;
   for (const std::string& part : parts) text += part + "; ";
   return text + "the best state is written";

@@ -24,10 +24,11 @@ struct Result {
   const Start& start;
   const Solution& solution;
   const Layout& layout;
+  const OverlapSplit& split;
 };
 
 ExitCode exit_code(const Result& result);
-// What went wrong or well, in one line.
+// What went wrong, in one line; empty when nothing did.
 std::string verdict(const Result& result);
 
 mesh::SurfaceMesh textured(const Result& result);

@@ -2,6 +2,7 @@
 
 #include "common/html.hpp"
 #include "common/report_style.hpp"
+#include "outcome.hpp"
 #include "report_tables.hpp"
 #include "report_warnings.hpp"
 
@@ -19,8 +20,9 @@ std::string sentence(std::string text) {
 
 std::string verdict_box(const Result& r) {
   const bool good = exit_code(r) == ExitCode::success;
-  return html::block("p", html::escaped(sentence(verdict(r))),
-                     good ? "class=\"verdict\"" : "class=\"verdict bad\"");
+  std::string text = html::escaped(sentence(outcome(r)));
+  if (!good) text = html::escaped(sentence(verdict(r))) + "<br>\n" + text;
+  return html::block("p", text, good ? "class=\"verdict\"" : "class=\"verdict bad\"");
 }
 
 std::string warning_list(const Json& summary) {

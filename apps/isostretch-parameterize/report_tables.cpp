@@ -54,7 +54,17 @@ std::string layout_facts(const Json& layout) {
     rows.push_back({"cuts for the distortion", count(layout["further_cuts"])});
   rows.push_back({"uv per length", real(layout.at("uv_per_length"), 6)});
   if (layout.at("packed").get<bool>())
-    rows.push_back({"unit square covered", formatted("%.1f %%", 100 * layout.at("coverage").get<double>())});
+    rows.push_back({"square covered", formatted("%.1f %%", 100 * layout.at("coverage").get<double>())});
+  const Json& overlap = layout.at("overlap");
+  rows.push_back(
+      {"under more than one triangle", formatted("%.2g %%", 100 * overlap.at("share").get<double>())});
+  if (overlap.at("triangles") > 0) rows.push_back({"triangles that overlap", count(overlap["triangles"])});
+  if (overlap.contains("split") && overlap["split"]["charts_added"] > 0) {
+    rows.push_back({"the same before charts were split",
+                    formatted("%.2g %%", 100 * overlap["split"]["share_before"].get<double>())});
+    rows.push_back({"charts added by that", count(overlap["split"]["charts_added"])});
+    rows.push_back({"length of cuts added", real(overlap["split"]["cut_length"], 4)});
+  }
   return section("Layout", rows);
 }
 

@@ -25,6 +25,14 @@ std::size_t not_converged(const Json& charts) {
 std::vector<std::string> report_warnings(const Json& s) {
   std::vector<std::string> warnings;
   if (s.at("flipped") > 0) warnings.push_back(turned_over(s["flipped"]) + " in the layout.");
+  const Json& overlap = s.at("layout").at("overlap");
+  if (overlap.at("triangles") > 0)
+    warnings.push_back(
+        formatted("The layout lies on itself: %.2g %% of its area is under more than one triangle; ",
+                  100 * overlap["share"].get<double>()) +
+        with_thousands(overlap["triangles"]) + " triangles of " +
+        with_thousands(static_cast<long long>(overlap["charts"].size())) +
+        " charts, hatched in the picture.");
   if (s.at("initial_flipped") > 0) warnings.push_back(turned_over(s["initial_flipped"]) + " in the start.");
   if (!s.at("converged").get<bool>())
     warnings.push_back("The solve did not converge: " + s.at("message").get<std::string>() + ".");

@@ -13,10 +13,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace isostretch::app::parameterize {
 namespace {
+
+// Of what the default cut goes on to, and how often: more is for --max-distortion.
+constexpr double tip_distortion = 2.4;
+constexpr int tip_rounds = 12;
+constexpr double rough_decrement = 4e-3;  // a thousandth of the energy of an isometry
 
 class Solver {
  public:
@@ -30,8 +36,11 @@ class Solver {
   }
 
   Solution run() {
-    for (std::size_t c = 0; c < start_.charts.size(); ++c) solve_chart(static_cast<int>(c));
+    const bool cuts = options_.max_distortion > 0 || reaches_tips();
+    for (std::size_t c = 0; c < start_.charts.size(); ++c)
+      solve_chart(static_cast<int>(c), cuts ? Care::rough : Care::full, true);
     if (options_.max_distortion > 0) cut_further();
+    if (reaches_tips()) reach_remaining_tips();
     combine_runs(solution_.runs, solution_.summary, solution_.chart_of_row);
     solution_.worst_distortion = worst_distortion(solution_.stretches);
     solution_.pins = pins_;
@@ -48,14 +57,19 @@ class Solver {
     return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
   }
 
-  newton::Options newton_options() const {
+  // Between cuts it is enough to know where they are wanted.
+  enum class Care { rough, full };
+
+  newton::Options newton_options(Care care) const {
     newton::Options newton = options_.newton;
+    if (care == Care::rough)
+      newton.decrement_tolerance = std::max(newton.decrement_tolerance, rough_decrement);
     // What is left; a chart that has no time left still says so after its start.
     if (newton.time_limit > 0) newton.time_limit = std::max(newton.time_limit - timer_.seconds(), 1e-9);
     return newton;
   }
 
-  void solve_chart(int number) {
+  void solve_chart(int number, Care care, bool first) {
     const Chart& chart = start_.charts[static_cast<std::size_t>(number)];
     const Pins pins = pins_.of_chart(chart);
     const assembly::Elements elements = assembly::elements_from(chart.rest);
@@ -71,15 +85,16 @@ class Solver {
     for (const int vertex : chart.held_boundary) objective.pin(vertex);
     tie_lines(objective, lines);
 
-    Run run{
-        number, solution_.cuts == 0,
-        newton::minimize(objective, x, newton_options(), [&](const newton::Iteration& row, const Vector&) {
-          return watch(row, static_cast<std::size_t>(number));
-        })};
+    Run run{number, first,
+            newton::minimize(objective, x, newton_options(care),
+                             [&](const newton::Iteration& row, const Vector&) {
+                               return watch(row, static_cast<std::size_t>(number));
+                             })};
     clear_progress();
     if (run.summary.status == newton::Status::stopped_by_callback)
       run.summary.message = "interrupted (Ctrl-C)";
     solution_.runs.push_back(std::move(run));
+    if (care == Care::rough) rough_.insert(number);
     chart.scatter(points(x), solution_.uv);
     soft_pin_energy_[static_cast<std::size_t>(number)] = soft_pins.value(x).value;
     const std::vector<double> stretches = term.assembler().stretches(x.data());
@@ -88,22 +103,54 @@ class Solver {
         solution_.stretches[2 * static_cast<std::size_t>(chart.triangle[t]) + i] = stretches[2 * t + i];
   }
 
-  // From the vertex inside a chart whose triangles are distorted most to its boundary, again and again.
+  // From vertices inside charts whose triangles are distorted most to the boundary, again and again.
   void cut_further() {
-    while (solution_.cuts < options_.max_cuts && !interrupted() && !out_of_time()) {
-      const int vertex = worst_vertex(domain_, solution_.stretches, options_.max_distortion);
-      const int triangle =
-          vertex < 0 ? worst_triangle(domain_, solution_.stretches, options_.max_distortion) : -1;
-      if (vertex < 0 && triangle < 0) return;
+    const double bound = options_.max_distortion;
+    while (solution_.cuts < options_.max_cuts && may_go_on()) {
+      if (lengthen_cuts(bound) || finish()) continue;
+      const int triangle = worst_triangle(domain_, solution_.stretches, bound);
+      if (triangle < 0) return;
       ++solution_.cuts;
-      vertex >= 0 ? lengthen_cut(vertex) : divide_chart(triangle);
+      divide_chart(triangle);
     }
+    finish();
   }
 
-  void lengthen_cut(int vertex) {
-    const int chart = cut_at(domain_, vertex, solution_.uv);
-    start_.charts[static_cast<std::size_t>(chart)] = make_chart(domain_, start_, chart);
-    solve_chart(chart);
+  bool may_go_on() const { return !interrupted() && !out_of_time(); }
+
+  // Solves what was solved roughly. Returns whether there was any.
+  bool finish() {
+    const std::set<int> rough = std::exchange(rough_, {});
+    for (const int chart : rough) solve_chart(chart, Care::full, false);
+    return !rough.empty();
+  }
+
+  // All that are far from each other at once. Returns whether there were any.
+  bool lengthen_cuts(double bound) {
+    std::set<int> changed;
+    for (const int vertex : worst_vertices(domain_, solution_.stretches, bound)) {
+      if (solution_.cuts == options_.max_cuts) break;
+      const int chart = cut_at(domain_, vertex, solution_.uv);
+      if (chart < 0) continue;
+      ++solution_.cuts;
+      changed.insert(chart);
+    }
+    for (const int chart : changed) {
+      start_.charts[static_cast<std::size_t>(chart)] = make_chart(domain_, start_, chart);
+      solve_chart(chart, Care::rough, false);
+    }
+    return !changed.empty();
+  }
+
+  // A cut that curvature alone has placed ends a little beside where it should, or leaves out a fine detail.
+  void reach_remaining_tips() {
+    for (int round = 0; round < tip_rounds && may_go_on(); ++round)
+      if (!lengthen_cuts(tip_distortion) && !finish()) return;
+    finish();
+  }
+
+  bool reaches_tips() const {
+    return options_.max_distortion == 0 && options_.reaches_tips() && domain_.closed;
   }
 
   // A triangle with all corners on the boundary can only be cut off. Charts that come out as they were keep
@@ -122,7 +169,7 @@ class Solver {
     start_.charts = std::move(charts);
     soft_pin_energy_.assign(start_.charts.size(), 0.0);  // pins and further cuts exclude each other
     for (Run& run : solution_.runs) run.chart = number[static_cast<std::size_t>(run.chart)];
-    for (const int chart : changed) solve_chart(chart);
+    for (const int chart : changed) solve_chart(chart, Care::full, false);
   }
 
   bool out_of_time() const {
@@ -136,6 +183,7 @@ class Solver {
   Timer timer_;
   Pins pins_;
   std::vector<Line> lines_;
+  std::set<int> rough_;                  // charts that were not solved fully
   std::vector<double> soft_pin_energy_;  // of every chart
   Solution solution_;
 };

@@ -31,7 +31,7 @@ Start rest_shape(const Domain& domain, const Options& options) {
   start.rest = mesh::flat_elements(domain.open());
   start.total_area = mesh::total_weight(start.rest);
   const double shrink = mesh::scale_to_total_weight(start.rest, 1.0);
-  start.unit_length = options.keep_normalized ? 1.0 : 1.0 / shrink;
+  start.unit_length = options.units() == UvUnits::area ? 1.0 : 1.0 / shrink;
   start.uv.setZero(domain.open().vertices.rows(), 2);
   return start;
 }

@@ -18,6 +18,7 @@ struct Chart {
   mesh::ElementArrays rest;        // of all charts together the area is 1
   std::vector<int> held_boundary;  // vertices that --boundary holds, in the numbers of the chart
   atlas::StartMethod method = atlas::StartMethod::uniform;
+  int solved_as = -1;  // the chart this was part of when it was solved; -1: itself
 
   // Rows of a layout of the opened mesh, and back.
   mesh::Points2 gather(const mesh::Points2& uv) const;

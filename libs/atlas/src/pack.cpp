@@ -4,7 +4,7 @@
 #include <isostretch/atlas/pack.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/to_text.hpp>
-#include <isostretch/mesh/orientation.hpp>
+#include <isostretch/mesh/overlap.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +86,7 @@ Packing pack(std::vector<mesh::Points2>& charts, const std::vector<mesh::Triangl
     for (Eigen::Index i = 0; i < charts[c].rows(); ++i)
       charts[c].row(i) << (charts[c](i, 0) + rectangles[c].x) / side,
           (charts[c](i, 1) + rectangles[c].y) / side;
-    packing.coverage += mesh::orientation(charts[c], triangles[c]).total_area;
+    packing.coverage += mesh::find_overlap(charts[c], triangles[c]).covered_area;
   }
   return packing;
 }

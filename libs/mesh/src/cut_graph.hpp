@@ -24,6 +24,11 @@ EdgeMarks cut_graph(const Piece& piece, std::vector<char>& kept);
 // The same for a closed surface of genus 0: a tree of shortest paths between up to max_terminals vertices.
 EdgeMarks cut_tree(const Piece& piece, int max_terminals, double terminal_distance);
 
+// Lengthens a cut to where the surface is curved most, far from it: to tips that would be shrunk or
+// stretched. There the logarithm of the scale of a conformal map would be more than `least_scale`. `vertices`
+// are those of the piece.
+void reach_tips(const Piece& piece, const Points3& vertices, int most, double least_scale, EdgeMarks& marks);
+
 double marked_weight(const HalfEdges& surface, const EdgeMarks& marks, const std::vector<double>& weights);
 
 // For cut_graph: its edges inside the surface, and what they are measured by.

@@ -79,11 +79,16 @@ void cut_charts(const SurfaceMesh& mesh, const HalfEdges& surface, const CutOpti
                 EdgeMarks& marks, Cut& cut) {
   const Opened opened = open_along(surface, marks);
   const std::vector<int> component = component_of_triangles(mesh.triangles, surface.vertex_count());
+  std::vector<char> closed(at(1 + *std::max_element(component.begin(), component.end())), 1);
+  for (int h = 0; h < surface.count(); ++h)
+    if (surface.on_boundary(h)) closed[at(component[at(h / 3)])] = 0;
   cut.chart = component_of_triangles(opened.surface.triangles, opened.surface.vertex_count());
   for (const Part& part :
        split({gather(mesh.vertices, opened.previous_vertex), opened.surface.triangles, {}, {}}, cut.chart)) {
     const Piece piece = make_piece(part.mesh);
-    const EdgeMarks cuts = cut_piece(piece, options);
+    EdgeMarks cuts = cut_piece(piece, options);
+    if (closed[at(component[at(part.original_triangle.front())])])
+      reach_tips(piece, part.mesh.vertices, options.max_terminals - 2, options.tip_scale, cuts);
     for (int h = 0; h < piece.surface.count(); ++h)
       if (cuts[at(h)]) mark(surface, marks, 3 * part.original_triangle[at(h / 3)] + h % 3);
     Chart& chart = cut.charts.emplace_back();

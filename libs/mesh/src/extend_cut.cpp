@@ -7,6 +7,7 @@
 #include <isostretch/mesh/cut.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <string>
 
@@ -33,11 +34,96 @@ Part part_of_chart(const Cut& cut, int chart) {
   return split({cut.mesh.vertices, cut.mesh.triangles, {}, {}}, label).front();
 }
 
-// From the boundary inward, in half-edges of the piece.
-std::vector<int> path_to_boundary(const Piece& piece, int vertex) {
-  const ShortestPaths paths = shortest_paths(piece.surface, piece.weights, {vertex},
-                                             [&](int v, double) { return piece.surface.boundary_vertex(v); });
-  return paths.path(piece.surface, paths.last);
+// Shorter branches of a cut are spurs, which nobody would draw; and an end moved by one edge only moves what
+// it does to its neighbours.
+constexpr int least_edges = 4, least_onward = 2;
+
+// Where a cut ends inside the surface: both boundary edges are copies of one edge. `original` has the
+// vertices of which those of the piece are copies.
+bool is_end(const Piece& piece, const std::vector<int>& original, int vertex) {
+  int first = -1, last = -1;
+  for_each_neighbour(piece.surface, vertex, [&](int, int neighbour) {
+    if (first < 0) first = neighbour;
+    last = neighbour;
+  });
+  return original[at(first)] == original[at(last)];
+}
+
+int other_end(const HalfEdges& surface, int h, int vertex) {
+  return surface.from(h) == vertex ? surface.to(h) : surface.from(h);
+}
+
+// Of every vertex, its distance from the boundary.
+std::vector<double> depths(const Piece& piece) {
+  std::vector<int> boundary;
+  for (const std::vector<int>& loop : piece.loops)
+    for (const int h : loop) boundary.push_back(piece.surface.from(h));
+  return shortest_paths(piece.surface, piece.weights, boundary).distance;
+}
+
+// Edges at the last few vertices before an end of the cut are made long: a path to there would leave a spur.
+std::vector<double> weights_around_ends(const Piece& piece, const std::vector<int>& original) {
+  constexpr double detour = 1e3;
+  std::vector<char> avoided(piece.surface.outgoing.size(), 0);
+  for (const std::vector<int>& loop : piece.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      if (is_end(piece, original, piece.surface.from(loop[i])))
+        for (std::size_t step = 1; step < at(least_edges); ++step)
+          for (const std::size_t j : {i + step, i + loop.size() - step % loop.size()})
+            avoided[at(piece.surface.from(loop[j % loop.size()]))] = 1;
+  std::vector<double> weights = piece.weights;
+  for (int h = 0; h < piece.surface.count(); ++h)
+    for (const int v : {piece.surface.from(h), piece.surface.to(h)})
+      if (avoided[at(v)] && !is_end(piece, original, v)) weights[at(h)] *= detour;
+  return weights;
+}
+
+// From the vertex to the boundary, in half-edges of the piece. Ends of cuts attract: to go on from one makes
+// no branch.
+std::vector<int> path_to_boundary(const Piece& piece, const std::vector<int>& original, int vertex) {
+  double typical = 0;
+  for (const double weight : piece.weights) typical += weight / static_cast<double>(piece.weights.size());
+  const double detour = least_edges * typical;
+  double shortest = std::numeric_limits<double>::infinity();
+  int best = -1;
+  const ShortestPaths paths = shortest_paths(
+      piece.surface, weights_around_ends(piece, original), {vertex}, [&](int v, double distance) {
+        if (distance >= shortest) return true;
+        if (!piece.surface.boundary_vertex(v)) return false;
+        const double length = distance + (is_end(piece, original, v) ? 0 : detour);
+        if (length < shortest) shortest = length, best = v;
+        return false;
+      });
+  // What comes to the boundary on the way ends there.
+  std::vector<int> path;
+  std::vector<int> back = paths.path(piece.surface, best);
+  for (int v = vertex; !piece.surface.boundary_vertex(v); back.pop_back()) {
+    path.push_back(back.back());
+    v = other_end(piece.surface, back.back(), v);
+  }
+  return path;
+}
+
+// The path, and beyond the vertex, away from the boundary, what it takes to be long enough.
+std::vector<int> branch(const Piece& piece, const std::vector<int>& original, int vertex) {
+  std::vector<int> path = path_to_boundary(piece, original, vertex);
+  std::vector<char> on_path(piece.surface.outgoing.size(), 0);
+  on_path[at(vertex)] = 1;
+  int last = vertex;
+  for (const int h : path) on_path[at(last = other_end(piece.surface, h, last))] = 1;
+  const int least = is_end(piece, original, last) ? least_onward : least_edges;
+  if (static_cast<int>(path.size()) >= least) return path;
+  const std::vector<double> depth = depths(piece);
+  while (static_cast<int>(path.size()) < least) {
+    int deepest = vertex, edge = -1;
+    for_each_neighbour(piece.surface, vertex, [&](int h, int neighbour) {
+      if (!on_path[at(neighbour)] && depth[at(neighbour)] > depth[at(deepest)]) deepest = neighbour, edge = h;
+    });
+    if (edge < 0) break;
+    path.push_back(edge);
+    on_path[at(vertex = deepest)] = 1;
+  }
+  return path;
 }
 
 void note_seam(Cut& cut, int chart, int a, int b) {
@@ -80,7 +166,9 @@ std::vector<int> extend_cut(Cut& cut, int vertex) {
   const auto local = static_cast<int>(std::lower_bound(known.begin(), known.end(), vertex) - known.begin());
   if (piece.surface.boundary_vertex(local)) cannot_extend(vertex, "is on the boundary already");
   EdgeMarks marks(piece.surface.opposite.size(), 0);
-  for (const int h : path_to_boundary(piece, local)) {
+  std::vector<int> original;
+  for (const int v : known) original.push_back(cut.original_vertex[at(v)]);
+  for (const int h : branch(piece, original, local)) {
     mark(piece.surface, marks, h);
     note_seam(cut, chart, known[at(piece.surface.from(h))], known[at(piece.surface.to(h))]);
   }

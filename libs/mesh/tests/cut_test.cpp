@@ -233,7 +233,8 @@ TEST_CASE("cut: more ends make the tree longer and never another surface") {
     before = 0.8 * cut.charts[0].seam_length;
   }
   const std::size_t two = cut_to_one_disk(mesh, 0, {.max_terminals = 2}).seams.size();
-  CHECK(cut_to_one_disk(mesh, 0, {.max_terminals = 8, .terminal_distance = 100}).seams.size() == two);
+  CHECK(cut_to_one_disk(mesh, 0, {.max_terminals = 8, .terminal_distance = 100, .tip_scale = 100})
+            .seams.size() == two);
 }
 
 TEST_CASE("cut: disks stay as they are") {
@@ -252,9 +253,10 @@ TEST_CASE("cut: handles") {
   // Around the hole inside (2 pi (2 - 1)) and around the tube (2 pi).
   CHECK(cut.charts[0].seam_length < 1.1 * 4 * 3.1416);
   for (int handles = 1; handles < 5; ++handles) {
-    const Cut opened = cut_to_one_disk(slab(handles, 1), handles);
+    const CutOptions handles_alone{.tip_scale = 100};
+    const Cut opened = cut_to_one_disk(slab(handles, 1), handles, handles_alone);
     CHECK(pieces_of(opened.seams) == 1);
-    CHECK(cut_to_one_disk(slab(handles, 3), handles).charts[0].seam_length <
+    CHECK(cut_to_one_disk(slab(handles, 3), handles, handles_alone).charts[0].seam_length <
           1.05 * opened.charts[0].seam_length);
   }
 }
@@ -492,7 +494,7 @@ TEST_CASE("cut: real surfaces") {
     int genus;
     double longest;  // seam against the square root of the area
   };
-  for (const Surface& surface : {Surface{"spot.obj", 0, 1.7}, Surface{"cow.obj", 0, 3.1},
+  for (const Surface& surface : {Surface{"spot.obj", 0, 2.8}, Surface{"cow.obj", 0, 3.9},
                                  Surface{"fertility.off", 4, 3.5}, Surface{"decimated-max.obj", 0, 1.5}}) {
     CAPTURE(surface.name);
     if (!std::filesystem::exists(surface_path(surface.name))) {
@@ -512,6 +514,53 @@ TEST_CASE("cut: real surfaces") {
     CHECK(length < surface.longest * std::sqrt(total_area(mesh)));
     cuts_the_same_everywhere(mesh);
   }
+}
+
+TEST_CASE("cut: a finger between others that are longer is reached") {
+  // A ball with fingers: the short ones are no vertices far from the tree, but are curved.
+  SurfaceMesh ball = icosphere(4);
+  const Eigen::RowVector3d fingers[] = {{1, 0, 0}, {-1, 0.1, 0}, {0.1, 1, 0}, {0, 0.1, 1}, {0.7, -0.7, 0.1}};
+  const auto tip_distance = [&](const Cut& cut, const Eigen::RowVector3d& direction) {
+    Eigen::Index tip = 0;
+    (ball.vertices * direction.normalized().transpose()).maxCoeff(&tip);
+    double nearest = HUGE_VAL;
+    for (const Edge& seam : cut.seams)
+      nearest = std::min(nearest, (ball.vertices.row(seam.low) - ball.vertices.row(tip)).norm());
+    return nearest;
+  };
+  for (Eigen::Index v = 0; v < ball.vertices.rows(); ++v) {
+    double height = 1;
+    for (const Eigen::RowVector3d& finger : fingers) {
+      const double angle = std::acos(ball.vertices.row(v).dot(finger.normalized()));
+      height += 1.2 * std::exp(-40 * angle * angle);
+    }
+    ball.vertices.row(v) *= height;
+  }
+  const Cut few = cut_to_disks(ball, {.max_terminals = 3, .tip_scale = 100}),
+            all = cut_to_disks(ball, {.max_terminals = 7, .terminal_distance = 100});
+  double farthest = 0;
+  for (const Eigen::RowVector3d& finger : fingers) {
+    CHECK(tip_distance(all, finger) < 0.35);
+    farthest = std::max(farthest, tip_distance(few, finger));
+  }
+  CHECK(farthest > 0.5);
+  cuts_the_same_everywhere(ball);
+}
+
+TEST_CASE("extend cut: no spurs, and ends are gone on from") {
+  const SurfaceMesh mesh = disc(20);
+  Cut cut = cut_to_disks(mesh);
+  const auto beside = [&](double x, double y) {
+    Eigen::Index nearest = 0;
+    (cut.mesh.vertices.rowwise() - Eigen::RowVector3d(x, y, 0)).rowwise().norm().minCoeff(&nearest);
+    return static_cast<int>(nearest);
+  };
+  extend_cut(cut, beside(0.93, 0));  // one edge from the boundary
+  CHECK(cut.seams.size() == 4);
+  CHECK(cut.paths().size() == 1);
+  extend_cut(cut, beside(0.6, 0.02));
+  CHECK(cut.paths().size() == 1);  // goes on
+  CHECK(cut.seams.size() > 5);
 }
 
 TEST_CASE("distances to the boundary go along edges, and there may be none") {

@@ -14,7 +14,7 @@ struct PackOptions {
 
 struct Packing {
   double scale = 1;     // lengths in the square over lengths given
-  double coverage = 0;  // share of the square under triangles
+  double coverage = 0;  // share of the square under triangles, where they overlap counted once
 };
 
 // Lays charts side by side into the unit square, all at the same scale, by a skyline of their enclosing

@@ -23,6 +23,10 @@ struct CutOptions {
   // terminal_distance times the square root of the area.
   int max_terminals = 8;
   double terminal_distance = 0.35;
+  /// Where pieces of a closed component would be stretched or shrunk most, the cut goes on: to up to
+  /// max_terminals - 2 vertices of each at which the logarithm of the scale of a conformal map is more than
+  /// this.
+  double tip_scale = 2;
 };
 
 // A piece of the surface that the cut leaves connected.
@@ -53,7 +57,7 @@ struct Cut {
 // Handles: the system of loops of Erickson & Whittlesey ("Greedy optimal homotopy and homology generators",
 // 2005), from the best of several base points, then path by path replaced by the shortest that still opens
 // the surface. Boundary loops: shortest paths. Closed surfaces of genus 0: a tree of shortest paths between
-// the vertices farthest apart.
+// the vertices farthest apart. Tips that this leaves uncut are found by their curvature.
 //
 // Where to cut is decided by geometry alone: numbering, scale and place of the mesh do not matter. A kept
 // hole that leaves no way for the cut around it is cut after all, as Chart::loops then says. A seam edge that
@@ -64,10 +68,34 @@ struct Cut {
 // no edge.
 Cut cut_to_disks(const SurfaceMesh& mesh, const CutOptions& options = {});
 
-// Lengthens the cut by the shortest path from a vertex of the cut mesh to the boundary of its chart, which
-// stays a disk. Vertices keep their numbers and copies come last. Returns for every vertex of the new cut
+// Lengthens the cut by a short path from a vertex of the cut mesh to the boundary of its chart, which stays a
+// disk. The path goes on from an end of the cut where one is about as near as the rest of the boundary; where
+// it branches off and would be a spur of less than four edges, it is continued beyond the vertex, away from
+// the boundary. Vertices keep their numbers and copies come last. Returns for every vertex of the new cut
 // mesh the vertex it was before, by which values at vertices are carried over. Throws Error when the vertex
 // is on the boundary already or in no triangle.
 std::vector<int> extend_cut(Cut& cut, int vertex);
+
+/// What became of a cut whose charts were divided.
+struct Division {
+  std::vector<int>
+      previous_vertex;  ///< vertex of the new cut mesh -> vertex before, by which values are carried
+  std::vector<int> previous_chart;  ///< chart now -> chart it was part of
+};
+
+/// Divides charts along the edges between triangles of different parts.
+///
+/// `part` has a number for every triangle, counted from 0 in the order of their first triangles; a part lies
+/// in one chart and becomes one. Vertices keep their numbers and copies come last; nothing moves. Throws
+/// Error when a triangle has no number or parts are not counted so.
+Division divide_charts(Cut& cut, const std::vector<int>& part);
+
+/// Divides the charts that lie on themselves in a layout until none does.
+///
+/// `uv` has a row for every vertex of the cut mesh; charts may lie on each other. Parts of a chart that
+/// overlap are separated by the shortest way between them along edges, and parts that no longer overlap are
+/// joined again. Nothing has to be solved anew: triangles keep their shapes. Throws Error for coordinates
+/// that are not finite.
+Division split_overlap(Cut& cut, const Points2& uv);
 
 }  // namespace isostretch::mesh

@@ -1,0 +1,66 @@
+#include "outcome.hpp"
+
+#include "common/formatted.hpp"
+
+#include <cmath>
+
+namespace isostretch::app::parameterize {
+namespace {
+
+std::string counted(std::size_t count, const std::string& what) {
+  return with_thousands(static_cast<long long>(count)) + " " + what + (count == 1 ? "" : "s");
+}
+
+// Two digits that count, and zero for zero alone.
+std::string percent(double share) {
+  return formatted("%.2g %%", 100 * share);
+}
+
+std::string flips_text(const Result& r) {
+  const std::size_t flipped = r.layout.flipped.size();
+  if (flipped == 0) return "no triangle is turned over";
+  return counted(flipped, "triangle") + (flipped == 1 ? " is" : " are") + " turned over";
+}
+
+std::string overlap_text(const Result& r) {
+  const mesh::Overlap& overlap = r.layout.overlap;
+  if (overlap.triangles.empty()) return "nothing overlaps";
+  return percent(overlap.share()) + " of the layout's area lies under more than one triangle";
+}
+
+std::string stretch_text(const Result& r) {
+  const double worst = r.solution.worst_distortion;
+  if (!std::isfinite(worst)) return "some lengths shrink to nothing or are turned over";
+  return formatted("no length changes by more than a factor of %.3g", worst);
+}
+
+std::string end_text(const Result& r) {
+  const newton::Summary& s = r.solution.summary;
+  const std::string effort =
+      counted(static_cast<std::size_t>(s.iterations), "iteration") + formatted(", %.2g s", s.seconds.total);
+  if (s.converged()) return "converged (" + effort + ")";
+  return "NOT converged: " + s.message + " (" + effort + ")";
+}
+
+}  // namespace
+
+std::string outcome(const Result& r) {
+  return counted(r.start.charts.size(), "chart") + "; " + flips_text(r) + "; " + overlap_text(r) + "; " +
+         stretch_text(r) + "; " + end_text(r);
+}
+
+std::vector<std::string> layout_warnings(const Result& r) {
+  std::vector<std::string> warnings;
+  const mesh::Overlap& overlap = r.layout.overlap;
+  if (!overlap.triangles.empty()) {
+    const std::size_t charts = charts_concerned(r.domain, overlap).size();
+    warnings.push_back("the layout lies on itself: " + counted(overlap.triangles.size(), "triangle") +
+                       " of " + counted(charts, "chart") + (r.layout.packed ? "" : " that are not packed") +
+                       " overlap, the first is " + std::to_string(overlap.triangles.front()) + "; " +
+                       (r.split.done ? "please report the model"
+                                     : "--overlap split --pack square divides and packs charts"));
+  }
+  return warnings;
+}
+
+}  // namespace isostretch::app::parameterize

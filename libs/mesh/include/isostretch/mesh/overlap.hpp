@@ -1,0 +1,36 @@
+#pragma once
+
+#include <isostretch/mesh/types.hpp>
+
+#include <array>
+#include <vector>
+
+namespace isostretch::mesh {
+
+/// Where a layout lies on itself, as `find_overlap` measures it.
+struct Overlap {
+  double covered_area = 0;     ///< of the plane under at least one triangle: that of the union
+  double overlapped_area = 0;  ///< of the plane under more than one
+  std::vector<int> triangles;  ///< whose interiors meet that of another, ascending
+
+  /// Share of the covered area that lies under more than one triangle, from 0 to 1.
+  double share() const { return covered_area > 0 ? overlapped_area / covered_area : 0; }
+};
+
+/// Finds the triangles of a planar layout that lie on others, and the area this happens on.
+///
+/// Two triangles overlap where their interiors meet, which is decided exactly for the coordinates given.
+/// Triangles that lie beside each other along an edge or at a vertex do not; a triangle that is folded or
+/// turned over onto its neighbour does; a triangle without area overlaps nothing. Orientation has no say in
+/// areas. Areas carry rounding errors only. Of n triangles that lie well apart it takes n log n operations,
+/// and more as many lie in one place. Results are the same for any number of threads.
+///
+/// Throws Error when an index is out of range or a coordinate is not finite.
+Overlap find_overlap(const Points2& uv, const Triangles& triangles);
+
+/// Lists the pairs of triangles whose interiors meet, the smaller number first, ascending; decided exactly as
+/// in `find_overlap`, which throws the same errors. Takes memory for every pair: of n equal triangles n^2
+/// / 2.
+std::vector<std::array<int, 2>> overlapping_pairs(const Points2& uv, const Triangles& triangles);
+
+}  // namespace isostretch::mesh
