@@ -4,6 +4,7 @@
 #include "common/utf8.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace isostretch::app::html {
 namespace {
@@ -49,6 +50,11 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+std::string sentence(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
 std::string element(const std::string& name, const std::string& content, const std::string& attributes) {
   std::string text = "<" + name;
   if (!attributes.empty()) text.append(1, ' ').append(attributes);
@@ -77,7 +83,8 @@ std::string table(const std::vector<Column>& columns, const std::vector<std::vec
   std::string body;
   for (const auto& row : rows) {
     std::string cells;
-    for (std::size_t c = 0; c < columns.size(); ++c) cells += cell("td", row.at(c), columns[c]);
+    for (std::size_t c = 0; c < row.size(); ++c)
+      cells += cell("td", row[c], c < columns.size() ? columns[c] : Column{});
     body += element("tr", cells) + "\n";
   }
   return block("table", (named ? head(columns) : std::string()) + block("tbody", body));

@@ -9,6 +9,9 @@ namespace isostretch::app::html {
 // Text as a browser shows it unchanged, also between the quotes of an attribute.
 std::string escaped(std::string_view text);
 
+/// Returns the text with a capital letter at its start and a full stop at its end.
+std::string sentence(std::string text);
+
 // <name attributes>content</name>; attributes and content are taken as they are.
 std::string element(const std::string& name, const std::string& content, const std::string& attributes = {});
 // The same on lines of its own.
@@ -22,7 +25,8 @@ struct Column {
   bool number = false;  // to the right
 };
 
-// Cells are text and are escaped. Without names of columns there is no head.
+// Cells are text and are escaped. Without names of columns there is no head; without columns cells are text
+// to the left.
 std::string table(const std::vector<Column>& columns, const std::vector<std::vector<std::string>>& rows);
 
 // A whole page that needs nothing else; title is text, style and body are taken as they are.

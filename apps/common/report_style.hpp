@@ -14,6 +14,9 @@ h3 { font-size: 1rem; margin: 0 0 .3rem; }
 .warnings { padding-left: 1.2rem; color: #8a2f1c; }
 figure { margin: 1.4rem 0; }
 img { display: block; width: 100%; height: auto; }
+.frame-picture[hidden] { display: none; }
+.player { display: flex; gap: .8rem; align-items: center; margin-top: .4rem; }
+.player input { flex: 1; }
 figcaption { color: #555; font-size: .9rem; margin-top: .4rem; }
 .facts { display: grid; grid-template-columns: repeat(auto-fill, minmax(17rem, 1fr)); gap: 1.6rem 2.2rem; }
 .wide { overflow-x: auto; }
@@ -23,6 +26,7 @@ th { font-weight: 600; white-space: nowrap; border-bottom-color: #999; }
 td { overflow-wrap: anywhere; }
 th:last-child, td:last-child { padding-right: 0; }
 .number { text-align: right; }
+td.number { white-space: nowrap; }
 .wide td { overflow-wrap: normal; }
 footer { margin-top: 2.5rem; color: #666; font-size: .85rem; }
 @media print {

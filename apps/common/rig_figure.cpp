@@ -35,6 +35,46 @@ mesh::Points3 surface_points(const Body& body, const mesh::Points3& points) {
   return result;
 }
 
+std::vector<figures::Marker> rest_markers(const Rig& rig, const Body& body, double time) {
+  constexpr double least_share = 1e-3;
+  std::vector<figures::Marker> markers;
+  for (const Handle& handle : rig.handles()) {
+    Eigen::RowVector3d from = Eigen::RowVector3d::Zero(), to = from;
+    for (const int node : handle.nodes) {
+      from += body.nodes.row(node) / static_cast<double>(handle.nodes.size());
+      to += rig.target(handle, node, time).transpose() / static_cast<double>(handle.nodes.size());
+    }
+    if (handle.nodes.size() == 1) markers.push_back({figures::Marker::Kind::dot, from, from});
+    if ((to - from).norm() > least_share * body.diagonal())
+      markers.push_back({figures::Marker::Kind::arrow, from, to});
+  }
+  return markers;
+}
+
+std::vector<figures::Marker> target_markers(const Rig& rig, const Body& body, double time,
+                                            const Vector& positions) {
+  constexpr std::size_t most = 120;
+  std::vector<bool> seen(static_cast<std::size_t>(body.nodes.rows()), false);
+  for (const int node : body.surface.original_vertex) seen[static_cast<std::size_t>(node)] = true;
+  const mesh::Points3 points = body.points(positions);
+  std::vector<figures::Marker> markers;
+  for (const Handle& handle : rig.handles()) {
+    if (handle.nodes.size() == 1) {
+      const Eigen::RowVector3d at = points.row(handle.nodes[0]);
+      markers.push_back({figures::Marker::Kind::dot, at, at});
+    }
+    if (!handle.soft) continue;
+    std::vector<int> visible;
+    for (const int node : handle.nodes)
+      if (seen[static_cast<std::size_t>(node)]) visible.push_back(node);
+    const std::size_t step = (visible.size() + most - 1) / most;
+    for (std::size_t i = 0; i < visible.size(); i += step)
+      markers.push_back({figures::Marker::Kind::target, points.row(visible[i]),
+                         rig.target(handle, visible[i], time).transpose()});
+  }
+  return markers;
+}
+
 std::vector<std::array<int, 2>> figure_lines(const Rig& rig, const Body& body) {
   std::vector<std::array<int, 2>> lines = handle_outlines(rig, body);
   if (body.dim == 2) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/figures/deformation_figure.hpp"
 #include "common/rig.hpp"
 
 #include <array>
@@ -15,5 +16,14 @@ mesh::Points3 surface_points(const Body& body, const mesh::Points3& points);
 // Lines to draw dark, between vertices of the surface: where handles end, and the outline of a body in the
 // plane.
 std::vector<std::array<int, 2>> figure_lines(const Rig& rig, const Body& body);
+
+/// Dots at handles of one vertex, and an arrow for every handle that moves, from where it is at rest to where
+/// it is to be.
+std::vector<figures::Marker> rest_markers(const Rig& rig, const Body& body, double time);
+
+/// Dots at handles of one vertex, and rings where soft handles are to be at that time: of each handle sixty
+/// vertices of the surface at most, spread evenly over its vertices.
+std::vector<figures::Marker> target_markers(const Rig& rig, const Body& body, double time,
+                                            const Vector& positions);
 
 }  // namespace isostretch::app

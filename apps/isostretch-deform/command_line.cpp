@@ -44,6 +44,7 @@ void CommandLine::declare_files(CLI::App& cli) {
       ->check(one_of(all_names(frame_format_names)))
       ->type_name("NAME")
       ->default_str("vtu");
+  cli.add_flag("--glb", glb_, "Also write deform.glb: the frames as morph targets (shape keys), animated");
   cli.add_flag("--no-picture", no_picture_, "Do not draw deform.png, and write no report.html");
 }
 
@@ -92,6 +93,7 @@ Options CommandLine::options() const {
     options.restart = restart_;
     options.stop_after = stop_after_;
     options.picture = !no_picture_;
+    options.glb = glb_;
     newton::Options newton;
     solver_flags_.apply(newton);
     options.time_limit = newton.time_limit;

@@ -46,7 +46,7 @@ class CommandLine {
   std::vector<std::string> parameters_, handles_;
   SolverFlags solver_flags_;
   int stop_after_ = -1;
-  bool restart_ = false, no_picture_ = false;
+  bool restart_ = false, no_picture_ = false, glb_ = false;
 };
 
 }  // namespace isostretch::app::deform

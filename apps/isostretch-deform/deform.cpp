@@ -1,8 +1,11 @@
 #include "deform.hpp"
 
+#include "common/animation.hpp"
 #include "common/formatted.hpp"
+#include "common/handle_misses.hpp"
 #include "common/interrupt.hpp"
 #include "common/newton_report.hpp"
+#include "common/rig_figure.hpp"
 #include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
@@ -33,6 +36,7 @@ class Job {
                                               [&] { return Problem(scene_, body_, rig_); });
                        })),
         strain_(body_.elements),
+        animation_(body_, figure_lines(rig_, body_)),
         result_{scene_, body_, rig_, problem_, Outcome::finished, {}, Json::array(), {}, {}, 0, {}} {
     reading_scene(command_line.input(), [&] { require_holds(scene_.format, body_); });
     warn_of_loose_components();
@@ -91,6 +95,8 @@ class Job {
         scene_, body_, rig_, problem_, [this](const std::string& text) { add_warning(text); },
         options_.time_limit);
     result_.positions = state.positions;
+    animation_.add(state.frame, scene_.script.time(state.frame), state.positions,
+                   strain_.at(state.positions));
     result_.frames = state.frames;
     result_.trace = state.trace;
     for (int frame = state.frame + 1; frame <= scene_.script.frames; ++frame) {
@@ -118,10 +124,12 @@ class Job {
     const bool moved = made.parts > 0;  // there is something to show
     const std::string file = frame_name(frame, scene_.format);
     if (moved) {
-      result_.frames.push_back(frame_json(frame, made, made.time, strain, file));
+      last_misses_ = handle_misses(rig_, made.time, body_.dim, positions);
+      result_.frames.push_back(frame_json(frame, made, made.time, strain, misses_json(last_misses_), file));
       result_.trace += trace_rows(frame, made.summary, result_.trace.empty());
       result_.positions = positions;
       write_frame(folder, file, positions, strain);
+      animation_.add(frame, made.time, positions, strain);
     }
     if (!made.reached) {
       const bool failed = !made.why.empty() || newton::failed(made.summary.status);
@@ -137,8 +145,8 @@ class Job {
 
   std::string progress(int frame, const FrameResult& made, const StrainField& strain) const {
     return formatted("frame %d of %d: %s, %d iterations, min det F %.3g, %.2f s", frame, scene_.script.frames,
-                     std::string(newton::status_name(made.summary.status)).c_str(), made.summary.iterations,
-                     strain.smallest_det(), made.seconds);
+                     made.summary.converged() ? "converged" : made.summary.message.c_str(),
+                     made.summary.iterations, strain.smallest_det(), made.seconds);
   }
 
   void write_frame(OutputFolder& folder, const std::string& file, const Vector& positions,
@@ -156,10 +164,19 @@ class Job {
     folder.write_now(state_file, state_text(state, json_, body_));
   }
 
+  // Of the last frame. Stretches go with an energy; handles that are not where they should be go with its
+  // weights.
+  void warn_of_misses() {
+    for (const std::string& text : miss_warnings(last_misses_, body_.diagonal()))
+      add_warning("the last frame: " + text);
+  }
+
   void write_reports(OutputFolder& folder) {
+    warn_of_misses();
     std::string picture;
     timed(seconds_.write, [&] {
       if (options_.picture) folder.add("deform.png", picture = draw(result_, strain_));
+      if (options_.glb) folder.add("deform.glb", animation_.glb());
       folder.add("trace.csv", result_.trace);
       if (scene_.format == FrameFormat::vtu) folder.add("deform.pvd", animation_text(result_.frames));
     });
@@ -167,13 +184,15 @@ class Job {
     seconds_.total = timer_.seconds();
     const Json summary = summary_json(result_, seconds_);
     folder.add_json("summary.json", summary);
-    if (options_.picture) folder.add("report.html", report_page(result_, summary, picture));
+    if (options_.picture)
+      folder.add("report.html", report_page(result_, summary, picture, animation_.preview()));
     folder.commit();
   }
 
   Timer timer_;
   PhaseSeconds seconds_;
   double frame_write_seconds_ = 0;
+  std::vector<HandleMiss> last_misses_;
   Options options_;
   const CommonOptions& common_;
   Json json_;
@@ -182,6 +201,7 @@ class Job {
   Rig rig_;
   Problem problem_;
   Strain strain_;
+  Animation animation_;  // of this run: from the frame that it went on from
   Result result_;
 };
 

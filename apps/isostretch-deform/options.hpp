@@ -11,6 +11,7 @@ struct Options {
   int stop_after = -1;    // frames made in this run; -1: all
   double time_limit = 0;  // seconds; 0: none
   bool picture = true;
+  bool glb = false;
 };
 
 }  // namespace isostretch::app::deform

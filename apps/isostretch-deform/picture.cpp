@@ -32,12 +32,15 @@ std::string subtitle(const Result& r) {
 std::string draw(const Result& r, const Strain& strain) {
   const StrainField rest = strain.at(r.body.rest_positions()), last = strain.at(r.positions);
   const int number = r.frames.back()["frame"].get<int>();
+  const double time = r.frames.back()["time"].get<double>();
   return figures::draw_deformation(
       {.title = r.body.name + ", " + energies_text(r),
        .subtitle = subtitle(r),
-       .states = {{"at rest", surface_points(r.body, r.body.nodes), rest.length_change, rest.inverted},
-                  {formatted("frame %d, time %g", number, r.frames.back()["time"].get<double>()),
-                   surface_points(r.body, r.body.points(r.positions)), last.length_change, last.inverted}},
+       .states = {{"at rest", surface_points(r.body, r.body.nodes), rest.length_change, rest.inverted,
+                   rest_markers(r.rig, r.body, time)},
+                  {formatted("frame %d, time %g", number, time),
+                   surface_points(r.body, r.body.points(r.positions)), last.length_change, last.inverted,
+                   target_markers(r.rig, r.body, time, r.positions)}},
        .triangles = r.body.surface.mesh.triangles,
        .element = r.body.surface.element,
        .volumes = r.body.volumes(),

@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include "common/formatted.hpp"
+#include "common/handle_misses.hpp"
 #include "common/newton_report.hpp"
 #include "common/sequence_report.hpp"
 #include "common/threads.hpp"
@@ -78,7 +79,7 @@ int reached_frames(const Json& frames) {
 }  // namespace
 
 Json frame_json(int frame, const FrameResult& result, double time, const StrainField& strain,
-                const std::string& file) {
+                const Json& handles, const std::string& file) {
   const newton::Summary& s = result.summary;
   Json json{{"frame", frame},
             {"time", time},
@@ -94,17 +95,18 @@ Json frame_json(int frame, const FrameResult& result, double time, const StrainF
             {"energy_evaluations", s.energy_evaluations},
             {"energy", s.energy},
             {"gradient_inf_norm", s.gradient_inf_norm},
-            {"seconds", result.seconds}};
+            {"seconds", result.seconds},
+            {"handles", handles}};
   json.update(strain_json(strain));
   return json;
 }
 
 Json rest_frame_json(const Result& result, const StrainField& strain, const std::string& file) {
-  Json json{{"frame", 0},         {"time", result.scene.script.start},
-            {"file", file},       {"reached", true},
-            {"status", "rest"},   {"converged", true},
-            {"parts", 0},         {"iterations", 0},
-            {"factorizations", 0}};
+  Json json{{"frame", 0},          {"time", result.scene.script.start},
+            {"file", file},        {"reached", true},
+            {"status", "rest"},    {"converged", true},
+            {"parts", 0},          {"iterations", 0},
+            {"factorizations", 0}, {"handles", Json::array()}};
   json.update(strain_json(strain));
   return json;
 }

@@ -38,9 +38,10 @@ struct Result {
   std::vector<std::string> warnings;
 };
 
-// An entry of "frames" in summary.json. Frame 0 is the rest shape, without a solve.
+// An entry of "frames" in summary.json, `handles` as misses_json() has them. Frame 0 is the rest shape,
+// without a solve.
 Json frame_json(int frame, const FrameResult& result, double time, const StrainField& strain,
-                const std::string& file);
+                const Json& handles, const std::string& file);
 Json rest_frame_json(const Result& result, const StrainField& strain, const std::string& file);
 
 // Rows of trace.csv, with the head if asked.
@@ -54,6 +55,7 @@ std::string verdict(const Result& result);
 
 Json summary_json(const Result& result, const PhaseSeconds& seconds);
 std::string draw(const Result& result, const Strain& strain);
-std::string report_page(const Result& result, const Json& summary, const std::string& picture);
+std::string report_page(const Result& result, const Json& summary, const std::string& picture,
+                        const std::string& preview);
 
 }  // namespace isostretch::app::deform

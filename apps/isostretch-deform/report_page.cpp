@@ -1,17 +1,11 @@
 #include "common/formatted.hpp"
+#include "common/handle_misses.hpp"
 #include "common/html.hpp"
 #include "common/report_style.hpp"
 #include "report.hpp"
 
-#include <cctype>
-
 namespace isostretch::app::deform {
 namespace {
-
-std::string sentence(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + ".";
-}
 
 std::string number(const Json& value, const char* pattern) {
   return value.is_number() ? formatted(pattern, value.get<double>()) : std::string("–");
@@ -34,14 +28,6 @@ std::string frame_table(const Json& frames) {
   return html::block("div", html::table(columns, rows), "class=\"wide\"");
 }
 
-std::string handle_table(const Json& handles) {
-  std::vector<std::vector<std::string>> rows;
-  for (const Json& h : handles)
-    rows.push_back({h["name"], h["kind"], h.contains("weight") ? number(h["weight"], "%.4g") : std::string(),
-                    std::to_string(h["nodes"].get<int>())});
-  return html::table({{"handle"}, {"kind"}, {"weight", true}, {"nodes", true}}, rows);
-}
-
 std::string region_table(const Json& regions) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& r : regions) {
@@ -61,16 +47,20 @@ std::string warning_list(const Result& r) {
 
 }  // namespace
 
-std::string report_page(const Result& r, const Json& summary, const std::string& picture) {
+std::string report_page(const Result& r, const Json& summary, const std::string& picture,
+                        const std::string& preview) {
   const bool good = exit_code(r) == ExitCode::success;
   std::string body = html::block("h1", html::escaped(r.body.name));
-  body += html::block("p", html::escaped(sentence(verdict(r))),
+  body += html::block("p", html::escaped(html::sentence(verdict(r))),
                       good ? "class=\"verdict\"" : "class=\"verdict bad\"");
   body += warning_list(r);
   body += html::figure(picture, "The body at rest and in the last frame",
                        "At rest and in the last frame. Pale where lengths are kept, dark where the worst "
-                       "direction is stretched or shrunk most; lines: where handles end.");
-  body += html::block("h2", "Handles") + handle_table(summary.at("handles"));
+                       "direction is stretched or shrunk most; lines: where handles end; arrows: where they "
+                       "go; rings: targets of soft ones.");
+  body += preview;
+  body += html::block("h2", "Handles, last frame") +
+          handle_table(summary.at("handles"), summary.at("frames").back().at("handles"));
   body += html::block("h2", "Regions") + region_table(summary.at("regions"));
   body += html::block("h2", "Frames") + frame_table(summary.at("frames"));
   body += html::block("footer", "isostretch-deform " + summary.at("version").get<std::string>());

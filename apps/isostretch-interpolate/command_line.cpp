@@ -36,7 +36,7 @@ void CommandLine::declare_files(CLI::App& cli) {
   cli.add_option("second", second_, "Second pose: the same vertices and elements in the same order")
       ->required()
       ->type_name("FILE");
-  cli.add_option("-o,--out", out_, "Folder for frames, summary.json, trace.csv and pictures")
+  cli.add_option("-o,--out", out_, "Folder for frames, summary.json, trace.csv, pictures, report.html")
       ->required()
       ->type_name("FOLDER");
   cli.add_option("--frames", frames_, "Steps from the first pose to the second")
@@ -47,7 +47,9 @@ void CommandLine::declare_files(CLI::App& cli) {
       ->check(one_of(all_names(frame_format_names)))
       ->type_name("NAME")
       ->capture_default_str();
-  cli.add_flag("--no-picture", no_pictures_, "Do not draw interpolation.png and energy.png");
+  cli.add_flag("--glb", glb_,
+               "Also write interpolation.glb: the frames as morph targets (shape keys), animated");
+  cli.add_flag("--no-picture", no_pictures_, "Draw no pictures, and write no report.html");
 }
 
 void CommandLine::declare_energy(CLI::App& cli) {
@@ -85,6 +87,7 @@ Options CommandLine::options() const {
     options.guess = choice_of(guess_names, guess_);
     options.format = choice_of(frame_format_names, format_);
     options.pictures = !no_pictures_;
+    options.glb = glb_;
     solver_flags_.apply(options.newton);
     // A gradient that was asked for is the only test.
     if (options.newton.gradient_tolerance > 0) options.newton.relative_energy_tolerance = 0;

@@ -32,7 +32,7 @@ class CommandLine {
   int frames_ = defaults_.frames;
   std::vector<std::string> parameters_;
   SolverFlags solver_flags_;
-  bool no_pictures_ = false;
+  bool no_pictures_ = false, glb_ = false;
 };
 
 }  // namespace isostretch::app::interpolate

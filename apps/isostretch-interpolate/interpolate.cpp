@@ -1,5 +1,7 @@
 #include "interpolate.hpp"
 
+#include "common/animation.hpp"
+#include "common/figures/edges.hpp"
 #include "common/formatted.hpp"
 #include "common/interrupt.hpp"
 #include "common/sequence_report.hpp"
@@ -40,6 +42,7 @@ class Job {
                              })),
         strains_{Strain(poses_.first.elements), Strain(poses_.second.elements)},
         interpolator_(options_, poses_, energy_),
+        animation_(poses_.first, outline(poses_.first)),
         result_{options_, poses_, energy_} {
     if (!energy_.has_barrier())
       warn_of("'" + energy_.name() + "' has no barrier: frames may have inverted elements");
@@ -58,6 +61,11 @@ class Job {
   }
 
  private:
+  static std::vector<std::array<int, 2>> outline(const Body& body) {
+    if (body.dim == 3) return {};
+    return figures::edges_of(body.surface.mesh.triangles).boundary;
+  }
+
   void warn_of(std::string text) {
     warn(text);
     result_.warnings.push_back(std::move(text));
@@ -93,6 +101,7 @@ class Job {
                                      {"min_det_F_2", second.min_det},
                                      {"length_change_1", first.length_change},
                                      {"length_change_2", second.length_change}}));
+      animation_.add(frame.number, frame.time, positions, first);
       take_snapshot({frame.number, frame.time, positions});
     }
   }
@@ -106,23 +115,28 @@ class Job {
 
   std::string progress(const Frame& frame, const Strains& strains) const {
     return formatted("frame %d of %d: %s, %d iterations, min det F %.3g and %.3g, %.3f s", frame.number,
-                     options_.frames, std::string(newton::status_name(frame.summary.status)).c_str(),
+                     options_.frames, frame.summary.converged() ? "converged" : frame.summary.message.c_str(),
                      frame.summary.iterations, strains[0].smallest_det(), strains[1].smallest_det(),
                      frame.seconds);
   }
 
   void write_reports(OutputFolder& folder) {
+    std::string frames, energies;
     timed(seconds_.write, [&] {
       if (options_.pictures) {
-        folder.add("interpolation.png", draw_frames(result_));
-        folder.add("energy.png", draw_energies(result_));
+        folder.add("interpolation.png", frames = draw_frames(result_));
+        folder.add("energy.png", energies = draw_energies(result_));
       }
+      if (options_.glb) folder.add("interpolation.glb", animation_.glb());
       folder.add("trace.csv", result_.trace);
       if (options_.format == FrameFormat::vtu)
         folder.add("interpolation.pvd", animation_text(result_.frames));
     });
     seconds_.total = timer_.seconds();
-    folder.add_json("summary.json", summary_json(result_, seconds_));
+    const Json summary = summary_json(result_, seconds_);
+    folder.add_json("summary.json", summary);
+    if (options_.pictures)
+      folder.add("report.html", report_page(result_, summary, frames, energies, animation_.preview()));
     folder.commit();
   }
 
@@ -134,6 +148,7 @@ class Job {
   energies::AnyEnergy energy_;
   std::array<Strain, 2> strains_;
   Interpolator interpolator_;
+  Animation animation_;
   std::vector<Frame> frames_;
   Result result_;
 };

@@ -40,6 +40,7 @@ struct Options {
   Guess guess = Guess::extrapolate;
   FrameFormat format = FrameFormat::vtu;
   bool pictures = true;
+  bool glb = false;
   newton::Options newton = frame_solver();  // its time limit is that of all frames together
 
   // The last frame is exactly at 1.

@@ -67,4 +67,7 @@ Json summary_json(const Result& result, const PhaseSeconds& seconds);
 std::string draw_frames(const Result& result);
 std::string draw_energies(const Result& result);
 
+std::string report_page(const Result& result, const Json& summary, const std::string& frames,
+                        const std::string& energies, const std::string& preview);
+
 }  // namespace isostretch::app::interpolate

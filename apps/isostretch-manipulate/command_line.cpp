@@ -79,6 +79,8 @@ void CommandLine::declare_files(CLI::App& cli) {
                  "Keep handle weights in that folder, and take them from it")
       ->type_name("FOLDER");
   add_choice(cli, "--format", format_, frame_format_names, "Of the frames: ", "vtu");
+  cli.add_flag("--glb", glb_,
+               "Also write manipulate.glb: the frames as morph targets (shape keys), animated");
   cli.add_flag("--no-picture", no_picture_, "Draw no pictures, and write no report.html");
 }
 
@@ -188,6 +190,7 @@ Options CommandLine::options() const {
     options.compare = compare_;
     options.repetitions = repetitions_;
     options.picture = !no_picture_;
+    options.glb = glb_;
     options.weights_cache = weights_cache_;
     if (frames_ && frames_->find(':') != std::string::npos) {
       const auto ends = split(*frames_, ':');

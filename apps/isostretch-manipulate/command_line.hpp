@@ -54,7 +54,7 @@ class CommandLine {
   std::vector<std::string> handles_;
   int refine_ = 1, repetitions_ = 1;
   double time_limit_ = 0, memory_limit_ = 0;
-  bool absolute_ = false, no_picture_ = false;
+  bool absolute_ = false, no_picture_ = false, glb_ = false;
 };
 
 }  // namespace isostretch::app::manipulate

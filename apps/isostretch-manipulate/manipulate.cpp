@@ -1,6 +1,9 @@
 #include "manipulate.hpp"
 
+#include "common/animation.hpp"
 #include "common/formatted.hpp"
+#include "common/handle_misses.hpp"
+#include "common/rig_figure.hpp"
 #include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
@@ -37,6 +40,7 @@ class Job {
         rig_(read_rig(command_line, scene_, body_)),
         photo_(read_photo(command_line)),
         strain_(body_.elements),
+        animation_(body_, figure_lines(rig_, body_), scene_.up),
         range_(read_range(options_, scene_)) {}
 
   ExitCode run(const CommandLine& command_line) {
@@ -77,7 +81,7 @@ class Job {
     if (!text.empty()) add_warning(result, text);
   }
 
-  void write_rest(Result& result, OutputFolder& folder) const {
+  void write_rest(Result& result, OutputFolder& folder) {
     const std::string file = frame_name(0, scene_.format);
     const Vector rest = body_.rest_positions();
     const StrainField strain = strain_.at(rest);
@@ -87,6 +91,7 @@ class Job {
                                          {"det_F", strain.min_det},
                                          {"length_change", strain.length_change}}));
     add_rest_frame(result, strain, file);
+    if (range_.first == 1) animation_.add(0, scene_.script.start, rest, strain);
     if (result.rotations.weights())
       folder.write_now("weights.vtu",
                        vtu_text(body_, body_.nodes, {}, weight_fields(*result.rotations.weights())));
@@ -137,6 +142,7 @@ class Job {
                                          {"det_F", after.strain.min_det},
                                          {"length_change", after.strain.length_change}}));
     add_frame(result, made, before, after, file);
+    animation_.add(made.frame, made.time, made.positions, after.strain);
     notice(formatted("frame %d of %d: ", made.frame, scene_.script.frames) + std::string(made.status()) +
            formatted(", %d iterations", made.summary.iterations) +
            (made.rival ? std::string() : formatted(", gap %.1e", made.summary.gap)) +
@@ -155,13 +161,28 @@ class Job {
           formatted("the photo is drawn %d times smaller: at its own scale it would be too large", shrink));
   }
 
+  // Of the last frame: what a certificate does not say.
+  void warn_of_misses(Result& result) const {
+    const FrameResult& last = result.last;
+    if (last.positions.size() == 0) return;
+    const std::string frame = formatted("frame %d: ", last.frame);
+    for (const std::string& text :
+         miss_warnings(handle_misses(rig_, last.time, body_.dim, last.positions), body_.diagonal()))
+      add_warning(result, frame + text);
+    const StrainField strain = strain_.at(last.positions);
+    const std::string flat = nearly_flat_text(nearly_flat_elements(strain), strain, body_);
+    if (!flat.empty()) add_warning(result, frame + flat + "; --margin keeps elements from it");
+  }
+
   void write_reports(Result& result, OutputFolder& folder) {
+    warn_of_misses(result);
     std::string states, path;
     timed(seconds_.write, [&] {
       write_photos(result, folder);
       folder.add("trace.csv", result.trace);
       if (scene_.format == FrameFormat::vtu)
         folder.add("manipulate.pvd", animation_text(files_of(result.frames)));
+      if (options_.glb && !animation_.empty()) folder.add("manipulate.glb", animation_.glb());
       if (!options_.picture || result.last.positions.size() == 0) return;
       folder.add("manipulate.png", states = draw_states(result, strain_));
       folder.add("path.png", path = draw_path(result, strain_));
@@ -169,7 +190,8 @@ class Job {
     seconds_.total = timer_.seconds();
     const Json summary = summary_json(result, seconds_);
     folder.add_json("summary.json", summary);
-    if (options_.picture) folder.add("report.html", report_page(result, summary, states, path));
+    if (options_.picture)
+      folder.add("report.html", report_page(result, summary, states, path, animation_.preview()));
     folder.commit();
   }
 
@@ -183,6 +205,7 @@ class Job {
   Rig rig_;
   std::optional<PhotoFrames> photo_;
   Strain strain_;
+  Animation animation_;
   FrameRange range_;
 };
 

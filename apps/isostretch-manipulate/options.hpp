@@ -20,6 +20,7 @@ struct Options {
   std::string compare;              // solvers, as on the command line; empty: none
   int repetitions = 1;              // of each of them
   bool picture = true;
+  bool glb = false;
   std::filesystem::path weights_cache;  // empty: none
 };
 

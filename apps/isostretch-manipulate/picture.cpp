@@ -23,9 +23,10 @@ std::string draw_states(const Result& r, const Strain& strain) {
   const FrameResult& f = r.last;
   const StrainField rest = strain.at(r.body.rest_positions()), before = strain.at(f.before),
                     after = strain.at(f.positions);
-  const auto state = [&](std::string caption, const Vector& positions, const StrainField& field) {
+  const auto state = [&](std::string caption, const Vector& positions, const StrainField& field,
+                         std::vector<figures::Marker> markers) {
     return figures::DeformedState{std::move(caption), surface_points(r.body, r.body.points(positions)),
-                                  field.length_change, field.inverted};
+                                  field.length_change, field.inverted, std::move(markers)};
   };
   return figures::draw_deformation(
       {.title = r.name + formatted(", frame %d of %d", f.frame, r.scene.script.frames) +
@@ -33,10 +34,11 @@ std::string draw_states(const Result& r, const Strain& strain) {
        .subtitle = with_thousands(r.body.elements.element_count()) + " " + plural_name(r.body.shape) +
                    formatted("   ·   %d iterations, %.2f s   ·   ", f.summary.iterations, f.seconds) +
                    gap_text(f) + formatted("   ·   min det F %.2g", after.smallest_det()) +
-                   "   ·   lines: where handles end",
-       .states = {state("at rest", r.body.rest_positions(), rest),
-                  state("ex-rotated skinning: " + inverted_text(before), f.before, before),
-                  state("result: " + inverted_text(after), f.positions, after)},
+                   "   ·   lines: where handles end, rings: targets",
+       .states = {state("at rest", r.body.rest_positions(), rest, rest_markers(r.rig, r.body, f.time)),
+                  state("ex-rotated skinning: " + inverted_text(before), f.before, before, {}),
+                  state("result: " + inverted_text(after), f.positions, after,
+                        target_markers(r.rig, r.body, f.time, f.positions))},
        .triangles = r.body.surface.mesh.triangles,
        .element = r.body.surface.element,
        .volumes = r.body.volumes(),

@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include "common/formatted.hpp"
+#include "common/handle_misses.hpp"
 #include "common/sequence_report.hpp"
 #include "common/threads.hpp"
 #include "stretch.hpp"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace isostretch::app::manipulate {
 namespace {
@@ -111,6 +113,15 @@ Json strain_json(const StrainField& strain) {
           {"max_length_change", *std::max_element(strain.length_change.begin(), strain.length_change.end())}};
 }
 
+// Ten of them at most are named; all are counted.
+Json nearly_flat_json(const Body& body, const StrainField& strain) {
+  const std::vector<int> elements = nearly_flat_elements(strain);
+  Json named = Json::array();
+  for (const int element : std::span(elements).first(std::min<std::size_t>(elements.size(), 10)))
+    named.push_back(body.element_text(element));
+  return {{"count", elements.size()}, {"flattest", named}};
+}
+
 double least(const std::vector<double>& values) {
   return *std::min_element(values.begin(), values.end());
 }
@@ -191,6 +202,8 @@ void add_frame(Result& result, const FrameResult& frame, const Shape& before, co
     json.update(strain_json(after.strain));
     json["not_psd"] = after.indefinite;
     json["min_eigenvalue"] = least(after.eigenvalues);
+    json["handles"] = misses_json(handle_misses(result.rig, frame.time, result.body.dim, frame.positions));
+    json["nearly_flat"] = nearly_flat_json(result.body, after.strain);
   } else {
     if (!frame.rival) {
       json["status"] = "failed";

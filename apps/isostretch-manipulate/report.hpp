@@ -65,6 +65,6 @@ std::string draw_states(const Result& result, const Strain& strain);
 std::string draw_path(const Result& result, const Strain& strain);
 
 std::string report_page(const Result& result, const Json& summary, const std::string& states,
-                        const std::string& path);
+                        const std::string& path, const std::string& preview);
 
 }  // namespace isostretch::app::manipulate

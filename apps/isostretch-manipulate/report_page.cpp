@@ -1,17 +1,11 @@
 #include "common/formatted.hpp"
+#include "common/handle_misses.hpp"
 #include "common/html.hpp"
 #include "common/report_style.hpp"
 #include "report.hpp"
 
-#include <cctype>
-
 namespace isostretch::app::manipulate {
 namespace {
-
-std::string sentence(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + ".";
-}
 
 std::string number(const Json& value, const char* pattern) {
   return value.is_number() ? formatted(pattern, value.get<double>()) : std::string("–");
@@ -37,10 +31,11 @@ std::string frame_table(const Json& frames) {
   return html::block("div", html::table(columns, rows), "class=\"wide\"");
 }
 
-std::string handle_table(const Json& handles) {
-  std::vector<std::vector<std::string>> rows;
-  for (const Json& h : handles) rows.push_back({h["name"], h["kind"], number(h["nodes"], "%.0f")});
-  return html::table({{"handle"}, {"kind"}, {"nodes", true}}, rows);
+// As the last frame that was made has them.
+std::string handles_section(const Result& r, const Json& summary) {
+  const Json misses = misses_json(handle_misses(r.rig, r.last.time, r.body.dim, r.last.positions));
+  return html::block("h2", formatted("Handles, frame %d", r.last.frame)) +
+         handle_table(summary.at("handles"), misses);
 }
 
 std::string fact_table(const Result& r, const Json& summary) {
@@ -69,7 +64,8 @@ std::string pictures(const std::string& states, const std::string& path) {
              states, "The body at rest, by ex-rotated skinning, and the result",
              "At rest, by ex-rotated skinning (without constraints), and the result. Pale where lengths "
              "are kept, dark where the worst direction is stretched or shrunk most; inverted elements "
-             "are blue; lines: where handles end.") +
+             "are blue; lines: where handles end; arrows: where they go; rings: their "
+             "targets.") +
          html::figure(path, "The iterates of the last frame and how they converge",
                       "The way there: iterates of the last frame, and over the seconds how many elements are "
                       "inverted and how much lower the energy could be at most.");
@@ -78,14 +74,14 @@ std::string pictures(const std::string& states, const std::string& path) {
 }  // namespace
 
 std::string report_page(const Result& r, const Json& summary, const std::string& states,
-                        const std::string& path) {
+                        const std::string& path, const std::string& preview) {
   const bool good = exit_code(r) == ExitCode::success;
   std::string body = html::block("h1", html::escaped(r.name));
-  body += html::block("p", html::escaped(sentence(verdict(r))),
+  body += html::block("p", html::escaped(html::sentence(verdict(r))),
                       good ? "class=\"verdict\"" : "class=\"verdict bad\"");
-  body += warning_list(r) + pictures(states, path);
+  body += warning_list(r) + pictures(states, path) + preview;
   body += html::block("h2", "Frames") + frame_table(summary.at("frames"));
-  body += html::block("h2", "Handles") + handle_table(summary.at("handles"));
+  if (r.last.positions.size() > 0) body += handles_section(r, summary);
   body += html::block("h2", "Problem") + fact_table(r, summary);
   body += html::block("footer", "isostretch-manipulate " + summary.at("version").get<std::string>());
   return html::page(r.name + ", manipulated", report_style, body);

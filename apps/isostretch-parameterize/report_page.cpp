@@ -8,20 +8,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cctype>
-
 namespace isostretch::app::parameterize {
 namespace {
 
-std::string sentence(std::string text) {
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + ".";
-}
-
 std::string verdict_box(const Result& r) {
   const bool good = exit_code(r) == ExitCode::success;
-  std::string text = html::escaped(sentence(outcome(r)));
-  if (!good) text = html::escaped(sentence(verdict(r))) + "<br>\n" + text;
+  std::string text = html::escaped(html::sentence(outcome(r)));
+  if (!good) text = html::escaped(html::sentence(verdict(r))) + "<br>\n" + text;
   return html::block("p", text, good ? "class=\"verdict\"" : "class=\"verdict bad\"");
 }
 

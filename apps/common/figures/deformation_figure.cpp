@@ -42,4 +42,18 @@ std::string draw_deformation(const DeformationFigure& figure) {
   return canvas.file();
 }
 
+std::vector<std::string> draw_each(const DeformationFigure& figure) {
+  constexpr int frame_width = 720, frame_height = 540;
+  const DeformedViews views(figure, frame_width, frame_height, 12);
+  const int height = std::clamp(static_cast<int>(std::ceil(views.height())), 120, frame_height);
+  const DistortionScale scale = distortion_scale(figure.states.back().length_change, figure.volumes, 56, 1);
+  std::vector<std::string> pictures;
+  for (std::size_t i = 0; i < figure.states.size(); ++i) {
+    Canvas canvas(frame_width, height);
+    views.draw(canvas, i, {0, 0}, height, scale);
+    pictures.push_back(canvas.file());
+  }
+  return pictures;
+}
+
 }  // namespace isostretch::app::figures

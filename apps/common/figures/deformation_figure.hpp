@@ -7,12 +7,20 @@
 
 namespace isostretch::app::figures {
 
+// What is drawn over a state: a dot, an arrow from one place to another, or a ring around where something is
+// to be, with a line to it from where it is.
+struct Marker {
+  enum class Kind { dot, arrow, target } kind = Kind::dot;
+  Eigen::RowVector3d from, to;  // the same for a dot
+};
+
 // One state of the body in the figure, with the same triangles in all of them.
 struct DeformedState {
   std::string caption;
   mesh::Points3 vertices;
   std::vector<double> length_change;  // of every element, see strain.hpp
   std::vector<int> inverted;          // elements
+  std::vector<Marker> markers = {};
 };
 
 struct DeformationFigure {
@@ -31,5 +39,9 @@ struct DeformationFigure {
 // around every vertex of the surface, with the scale and the histogram of the elements of the last state: a
 // PNG 1600 pixels wide and, as the body needs, 400 to 900 high, as bytes.
 std::string draw_deformation(const DeformationFigure& figure);
+
+/// Draws every state into a PNG of its own, 720 pixels wide, without titles: with one camera, one scale and
+/// the colours of the last state's.
+std::vector<std::string> draw_each(const DeformationFigure& figure);
 
 }  // namespace isostretch::app::figures

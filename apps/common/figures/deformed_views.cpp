@@ -10,22 +10,76 @@
 namespace isostretch::app::figures {
 namespace {
 
-// All states in one unit ball, so that they stay comparable.
-std::vector<mesh::Points3> in_one_ball(const DeformationFigure& figure) {
+// A state where it is drawn: the vertices of the body, then the two ends of every marker.
+struct PlacedState {
+  mesh::Points3 vertices, marker_ends;
+};
+
+// All states with their markers in one unit ball, so that they stay comparable. Markers take part by
+// triangles without an area.
+std::vector<PlacedState> in_one_ball(const DeformationFigure& figure) {
   const Eigen::Index count = figure.states[0].vertices.rows();
-  mesh::Points3 all(count * static_cast<Eigen::Index>(figure.states.size()), 3);
-  mesh::Triangles triangles(figure.triangles.rows() * static_cast<Eigen::Index>(figure.states.size()), 3);
-  for (std::size_t i = 0; i < figure.states.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
-    all.middleRows(at * count, count) = figure.states[i].vertices;
-    triangles.middleRows(at * figure.triangles.rows(), figure.triangles.rows()) =
-        figure.triangles.array() + static_cast<int>(at * count);
+  std::vector<Eigen::RowVector3d> points;
+  std::vector<int> corners;
+  for (const DeformedState& state : figure.states) {
+    const int first = static_cast<int>(points.size());
+    for (Eigen::Index v = 0; v < count; ++v) points.emplace_back(state.vertices.row(v));
+    for (const int corner : figure.triangles.reshaped<Eigen::RowMajor>()) corners.push_back(first + corner);
+    for (const Marker& marker : state.markers)
+      for (const Eigen::RowVector3d& end : {marker.from, marker.to}) {
+        corners.insert(corners.end(), 3, static_cast<int>(points.size()));
+        points.push_back(end);
+      }
   }
-  const mesh::Points3 moved = in_unit_ball(all, triangles);
-  std::vector<mesh::Points3> result;
-  for (std::size_t i = 0; i < figure.states.size(); ++i)
-    result.emplace_back(moved.middleRows(static_cast<Eigen::Index>(i) * count, count));
+  mesh::Points3 all(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i) all.row(static_cast<Eigen::Index>(i)) = points[i];
+  const mesh::Points3 moved =
+      in_unit_ball(all, Eigen::Map<const mesh::Triangles>(corners.data(), std::ssize(corners) / 3, 3));
+  std::vector<PlacedState> result;
+  Eigen::Index row = 0;
+  for (const DeformedState& state : figure.states) {
+    const Eigen::Index ends = 2 * std::ssize(state.markers);
+    result.push_back({moved.middleRows(row, count), moved.middleRows(row + count, ends)});
+    row += count + ends;
+  }
   return result;
+}
+
+Box united(const Box& a, const Box& b) {
+  const double x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+  return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
+}
+
+constexpr Color marker_color{0.05, 0.2, 0.55};
+
+void draw_arrow(Canvas& canvas, Point from, Point to) {
+  constexpr double head = 9, half_width = 4;
+  const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+  if (length < 2) return;
+  const double ux = dx / length, uy = dy / length, reach = std::min(head, 0.6 * length);
+  const Point neck{to.x - reach * ux, to.y - reach * uy};
+  canvas.line(from, neck, {.color = marker_color, .width = 2});
+  canvas.polygon({to,
+                  {neck.x - half_width * uy, neck.y + half_width * ux},
+                  {neck.x + half_width * uy, neck.y - half_width * ux}},
+                 marker_color);
+}
+
+void draw_marker(Canvas& canvas, Marker::Kind kind, Point from, Point to) {
+  constexpr double ring = 4;
+  switch (kind) {
+    case Marker::Kind::dot:
+      canvas.dot(to, 5, marker_color);
+      break;
+    case Marker::Kind::arrow:
+      draw_arrow(canvas, from, to);
+      break;
+    case Marker::Kind::target:
+      canvas.ring(to, ring, {.color = marker_color, .width = 1.5});
+      if (std::hypot(to.x - from.x, to.y - from.y) > ring)
+        canvas.line(from, to, {.color = marker_color, .width = 1.2});
+      break;
+  }
 }
 
 // Every triangle with corners of its own, so that a corner can have the normal of its side of a crease.
@@ -135,12 +189,12 @@ Camera camera_for(const DeformationFigure& figure, const mesh::Points3& rest) {
 struct DeformedViews::Kept {
   explicit Kept(const DeformationFigure& f)
       : figure(f),
-        vertices(in_one_ball(f)),
-        corners(vertices[0], f.triangles),
-        camera(camera_for(f, vertices[0])) {}
+        states(in_one_ball(f)),
+        corners(states[0].vertices, f.triangles),
+        camera(camera_for(f, states[0].vertices)) {}
 
   const DeformationFigure& figure;
-  std::vector<mesh::Points3> vertices;
+  std::vector<PlacedState> states;
   Corners corners;
   Camera camera;
   std::vector<Box> boxes = {};
@@ -149,8 +203,10 @@ struct DeformedViews::Kept {
 DeformedViews::DeformedViews(const DeformationFigure& figure, int width, double most_height, double inset)
     : kept_(std::make_unique<Kept>(figure)), width_(width) {
   double w = 1e-12, h = 1e-12;
-  for (const mesh::Points3& v : kept_->vertices) {
-    kept_->boxes.push_back(bounds(kept_->camera, v));
+  for (const PlacedState& state : kept_->states) {
+    kept_->boxes.push_back(bounds(kept_->camera, state.vertices));
+    if (state.marker_ends.rows() > 0)
+      kept_->boxes.back() = united(kept_->boxes.back(), bounds(kept_->camera, state.marker_ends));
     w = std::max(w, kept_->boxes.back().width), h = std::max(h, kept_->boxes.back().height);
   }
   scale_ = std::min((width - 2 * inset) / w, (most_height - 2 * inset) / h);
@@ -163,8 +219,8 @@ void DeformedViews::draw(Canvas& canvas, std::size_t i, Point corner, int height
                          const DistortionScale& scale) const {
   const Kept& k = *kept_;
   const DeformedState& state = k.figure.states[i];
-  const mesh::Points3 vertices = k.corners.vertices(k.vertices[i]),
-                      normals = k.corners.normals(k.vertices[i]);
+  const mesh::Points3 vertices = k.corners.vertices(k.states[i].vertices),
+                      normals = k.corners.normals(k.states[i].vertices);
   const mesh::Points2 no_uv;
   const mesh::Triangles no_uv_triangles;
   const std::vector<int> flipped = inverted_triangles(k.figure, state);
@@ -181,6 +237,15 @@ void DeformedViews::draw(Canvas& canvas, std::size_t i, Point corner, int height
                             {0.5 * width_ - scale_ * (box.x + 0.5 * box.width),
                              0.5 * height - scale_ * (box.y + 0.5 * box.height)}};
   canvas.image(draw_view(model, normals, k.camera, placement, width_, height).picture, corner);
+  const auto on_canvas = [&](Eigen::Index row) {
+    const ScreenPoint p = k.camera(k.states[i].marker_ends.row(row));
+    return Point{corner.x + placement.shift.x + placement.scale * p.x,
+                 corner.y + placement.shift.y + placement.scale * p.y};
+  };
+  for (std::size_t m = 0; m < state.markers.size(); ++m) {
+    const auto row = static_cast<Eigen::Index>(2 * m);
+    draw_marker(canvas, state.markers[m].kind, on_canvas(row), on_canvas(row + 1));
+  }
 }
 
 }  // namespace isostretch::app::figures

@@ -76,21 +76,22 @@ float to_float(double value, const char* what, int index) {
 // The binary chunk with its views and accessors, in the words of the JSON chunk.
 class GlbWriter {
  public:
-  GlbWriter(const SurfaceMesh& mesh, const GlbOptions& options)
-      : mesh_(mesh), options_(options), split_(split(mesh)) {}
+  GlbWriter(const SurfaceMesh& mesh, const GlbOptions& options, const std::vector<GlbFrame>& frames)
+      : mesh_(mesh), options_(options), frames_(frames), split_(split(mesh)) {}
 
   std::string write() {
     const int indices = index_accessor();
     std::string attributes = "\"POSITION\":" + std::to_string(position_accessor());
     if (options_.normals) attributes += ",\"NORMAL\":" + std::to_string(normal_accessor());
     if (mesh_.has_uv()) attributes += ",\"TEXCOORD_0\":" + std::to_string(uv_accessor());
+    const std::string targets = morph_targets(), animation = this->animation();
     const std::string material = this->material();
     std::string json =
         "{\"asset\":{\"version\":\"2.0\",\"generator\":\"isostretch\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]"
         "}],"
         "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{" +
-        attributes + "},\"indices\":" + std::to_string(indices) + ",\"material\":0}]}]," + material +
-        ",\"accessors\":[" + accessors_ + "],\"bufferViews\":[" + views_ +
+        attributes + "},\"indices\":" + std::to_string(indices) + ",\"material\":0" + targets + "}]}]," +
+        material + animation + ",\"accessors\":[" + accessors_ + "],\"bufferViews\":[" + views_ +
         "],\"buffers\":[{\"byteLength\":" + std::to_string(data_.size()) + "}]}";
     return container(std::move(json));
   }
@@ -126,14 +127,17 @@ class GlbWriter {
     return add_accessor(0, index_target, uint32_type, split_.corners.size(), ",\"type\":\"SCALAR\"");
   }
 
-  int position_accessor() {
+  int position_accessor() { return vector_accessor(mesh_.vertices, "vertex"); }
+
+  // A row of every vertex of the file, with their bounds.
+  int vector_accessor(const Points3& rows, const char* what) {
     const std::size_t start = data_.size();
     float low[3], high[3];
     std::fill_n(low, 3, std::numeric_limits<float>::max());
     std::fill_n(high, 3, std::numeric_limits<float>::lowest());
     for (const int v : split_.vertex)
       for (int c = 0; c < 3; ++c) {
-        const float value = to_float(mesh_.vertices(v, c), "vertex", v);
+        const float value = to_float(rows(v, c), what, v);
         low[c] = std::min(low[c], value);
         high[c] = std::max(high[c], value);
         append_bytes(data_, value);
@@ -143,7 +147,8 @@ class GlbWriter {
   }
 
   // Of the double with the same value: viewers compare after reading it as such.
-  static std::string json_of(const float (&values)[3]) {
+  template <std::size_t Count>
+  static std::string json_of(const float (&values)[Count]) {
     std::string text = "[";
     for (const float value : values) {
       if (text.size() > 1) text += ',';
@@ -168,6 +173,43 @@ class GlbWriter {
       append_bytes(data_, to_float(1 - mesh_.uv(t, 1), "uv point", t));
     }
     return add_accessor(start, vertex_target, float_type, split_.uv.size(), ",\"type\":\"VEC2\"");
+  }
+
+  // What every frame adds to the places of the vertices.
+  std::string morph_targets() {
+    std::string targets;
+    for (const GlbFrame& frame : frames_) {
+      targets += targets.empty() ? ",\"targets\":[{" : ",{";
+      targets += "\"POSITION\":" + std::to_string(displacement_accessor(frame)) + '}';
+    }
+    return targets.empty() ? targets : targets + ']';
+  }
+
+  int displacement_accessor(const GlbFrame& frame) {
+    const Points3 displacement = frame.vertices - mesh_.vertices;
+    return vector_accessor(displacement, "displacement of vertex");
+  }
+
+  // At its own time a frame has weight 1 and all others have 0.
+  std::string animation() {
+    if (frames_.empty()) return {};
+    const std::size_t times = data_.size();
+    for (const GlbFrame& frame : frames_) append_bytes(data_, static_cast<float>(frame.seconds));
+    const float first[] = {static_cast<float>(frames_.front().seconds)},
+                last[] = {static_cast<float>(frames_.back().seconds)};
+    const int input =
+        add_accessor(times, 0, float_type, frames_.size(),
+                     ",\"type\":\"SCALAR\",\"min\":" + json_of(first) + ",\"max\":" + json_of(last));
+    const std::size_t weights = data_.size();
+    for (std::size_t frame = 0; frame < frames_.size(); ++frame)
+      for (std::size_t target = 0; target < frames_.size(); ++target)
+        append_bytes(data_, frame == target ? 1.0F : 0.0F);
+    const int output =
+        add_accessor(weights, 0, float_type, frames_.size() * frames_.size(), ",\"type\":\"SCALAR\"");
+    return ",\"animations\":[{\"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"weights\"}}],"
+           "\"samplers\":[{\"input\":" +
+           std::to_string(input) + ",\"interpolation\":\"LINEAR\",\"output\":" + std::to_string(output) +
+           "}]}]";
   }
 
   // Linear filtering, between the levels of a mipmap where the picture is made smaller.
@@ -206,6 +248,7 @@ class GlbWriter {
 
   const SurfaceMesh& mesh_;
   const GlbOptions& options_;
+  const std::vector<GlbFrame>& frames_;
   SplitVertices split_;
   std::string data_, views_, accessors_;
   int view_count_ = 0;
@@ -218,12 +261,33 @@ void require_png(const SurfaceMesh& mesh, const std::string& png) {
   if (!mesh.has_uv()) throw Error("a base colour texture needs texture coordinates, the mesh has none");
 }
 
+void require_frames(const SurfaceMesh& mesh, const std::vector<GlbFrame>& frames) {
+  if (frames.empty()) throw Error("an animation without frames");
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const std::string name = "frame " + std::to_string(i) + " of the animation";
+    if (frames[i].vertices.rows() != mesh.vertices.rows())
+      throw Error(name + " has " + std::to_string(frames[i].vertices.rows()) + " vertices, the mesh has " +
+                  std::to_string(mesh.vertices.rows()));
+    if (!frames[i].vertices.allFinite()) throw Error(name + " has a coordinate that is not finite");
+    if (!std::isfinite(frames[i].seconds) || (i > 0 && !(frames[i].seconds > frames[i - 1].seconds)))
+      throw Error(name + " is not later than the one before");
+  }
+}
+
 }  // namespace
+
+std::string format_glb_animation(const SurfaceMesh& mesh, const std::vector<GlbFrame>& frames) {
+  require_writable(mesh);
+  require_frames(mesh, frames);
+  const GlbOptions options{.normals = false};
+  return GlbWriter(mesh, options, frames).write();
+}
 
 std::string format_glb(const SurfaceMesh& mesh, const GlbOptions& options) {
   require_writable(mesh);
   require_png(mesh, options.base_color_png);
-  return GlbWriter(mesh, options).write();
+  const std::vector<GlbFrame> still;
+  return GlbWriter(mesh, options, still).write();
 }
 
 void write_glb(const std::string& path, const SurfaceMesh& mesh, const GlbOptions& options) {

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace isostretch::mesh {
 
@@ -174,5 +175,18 @@ struct GlbOptions {
 // their range is refused. Writing only.
 void write_glb(const std::string& path, const SurfaceMesh& mesh, const GlbOptions& options = {});
 std::string format_glb(const SurfaceMesh& mesh, const GlbOptions& options = {});
+
+/// One shape of an animation: places of all vertices, and the time in seconds at which they are there.
+struct GlbFrame {
+  double seconds = 0;
+  Points3 vertices;
+};
+
+/// Returns a binary glTF 2.0 file in which the mesh runs through the frames: a morph target each (a shape
+/// key, in Blender), with one animation that leads from one to the next linearly. The mesh itself is the
+/// shape without any target. It has no normals: clients shade the shapes as they are. Throws Error without
+/// frames, for frames of another number of vertices, for times that do not increase, and as format_glb()
+/// does.
+std::string format_glb_animation(const SurfaceMesh& mesh, const std::vector<GlbFrame>& frames);
 
 }  // namespace isostretch::mesh
