@@ -29,7 +29,7 @@ void CommandLine::declare(CLI::App& cli) {
 }
 
 void CommandLine::declare_files(CLI::App& cli) {
-  cli.add_option("first", first_, "First pose: tets (MSH, MESH, VTK, VTU) or a surface in the plane z = 0")
+  cli.add_option("first", first_, "First pose: solid elements (MSH, MESH, VTK, VTU, NODE) or a flat surface")
       ->required()
       ->type_name("FILE");
   cli.add_option("second", second_, "Second pose: the same vertices and elements in the same order")
@@ -46,6 +46,7 @@ void CommandLine::declare_files(CLI::App& cli) {
       ->check(CLI::IsMember(all_names(frame_format_names)))
       ->type_name("NAME")
       ->capture_default_str();
+  repair_flags_.declare(cli);
   cli.add_flag("--no-picture", no_pictures_, "Do not draw interpolation.png and energy.png");
 }
 
@@ -77,6 +78,7 @@ Options CommandLine::options() const {
     options.first = first_;
     options.second = second_;
     options.out = out_;
+    options.repair = repair_flags_.repair();
     options.frames = frames_;
     options.energy = energy_;
     options.parameters = parse_parameters(parameters_);
