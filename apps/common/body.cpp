@@ -293,6 +293,11 @@ std::string listed_elements(const std::vector<int>& elements) {
   return text + (elements.size() > most ? ", ..." : "");
 }
 
+std::string counted(const std::vector<int>& elements, Shape shape) {
+  return std::to_string(elements.size()) + " " +
+         (elements.size() == 1 ? mesh::shape_name(shape) : plural_name(shape));
+}
+
 std::string element_text(const ElementMesh& m, int e) {
   std::string text = std::string(mesh::shape_name(m.shape)) + " " + std::to_string(e) + " (vertices";
   for (Eigen::Index c = 0; c < m.elements.cols(); ++c) text += " " + std::to_string(m.elements(e, c));
@@ -320,11 +325,11 @@ void mend(ElementMesh& m, const MeshRepair& repair, const std::string& file) {
     notice(file + ": every " + mesh::shape_name(m.shape) +
            " is numbered the other way round; all were turned");
   else if (!faults.inverted.empty())
-    notice(file + ": repair: " + std::to_string(faults.inverted.size()) + " " + plural_name(m.shape) +
+    notice(file + ": repair: " + counted(faults.inverted, m.shape) +
            " turned: " + listed_elements(faults.inverted));
   if (!faults.duplicates.empty())
-    notice(file + ": repair: " + std::to_string(faults.duplicates.size()) + " " + plural_name(m.shape) +
-           " that were there twice left out: " + listed_elements(faults.duplicates));
+    notice(file + ": repair: " + counted(faults.duplicates, m.shape) +
+           " there twice, left out: " + listed_elements(faults.duplicates));
 }
 
 Body body_of(const ElementMesh& m, const BodySpec& spec) {
