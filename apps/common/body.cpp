@@ -6,18 +6,21 @@
 #include "common/formatted.hpp"
 #include "common/terminal.hpp"
 
-#include <isostretch/mesh/check.hpp>
 #include <isostretch/mesh/elements.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/mesh/io.hpp>
 #include <isostretch/mesh/quadratic.hpp>
+#include <isostretch/mesh/repair.hpp>
 #include <isostretch/mesh/structured.hpp>
+#include <isostretch/mesh/weld.hpp>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace isostretch::app {
 namespace {
@@ -99,15 +102,17 @@ mesh::Points3 in_space(const Points& flat) {
   return points;
 }
 
-Body triangle_body(const mesh::Points2& vertices, const mesh::Triangles& triangles, const BodySpec& spec) {
+Body quadratic_body(const mesh::QuadraticTriangleMesh& m, const BodySpec& spec) {
   Body body;
-  if (spec.order == 2) {
-    const mesh::QuadraticTriangleMesh m = mesh::quadratic(vertices, triangles);
-    body.shape = Shape::quadratic_triangle;
-    body.nodes = in_space(m.nodes);
-    body.surface = flat_surface(body.nodes, m.triangles, body.shape);
-    return finished(std::move(body), m, spec);
-  }
+  body.shape = Shape::quadratic_triangle;
+  body.nodes = in_space(m.nodes);
+  body.surface = flat_surface(body.nodes, m.triangles, body.shape);
+  return finished(std::move(body), m, spec);
+}
+
+Body triangle_body(const mesh::Points2& vertices, const mesh::Triangles& triangles, const BodySpec& spec) {
+  if (spec.order == 2) return quadratic_body(mesh::quadratic(vertices, triangles), spec);
+  Body body;
   refuse_quadrature(spec, "triangle");
   body.shape = Shape::triangle;
   body.nodes = in_space(vertices);
@@ -127,15 +132,17 @@ Body quad_body(const mesh::QuadMesh& m, const BodySpec& spec) {
   return finished(std::move(body), m, spec);
 }
 
-Body tet_body(const mesh::TetMesh& tets, const BodySpec& spec) {
+Body quadratic_body(const mesh::QuadraticTetMesh& m, const BodySpec& spec) {
   Body body;
-  if (spec.order == 2) {
-    const mesh::QuadraticTetMesh m = mesh::quadratic(tets);
-    body.shape = Shape::quadratic_tet;
-    body.nodes = m.nodes;
-    body.surface = mesh::boundary_surface(m);
-    return finished(std::move(body), m, spec);
-  }
+  body.shape = Shape::quadratic_tet;
+  body.nodes = m.nodes;
+  body.surface = mesh::boundary_surface(m);
+  return finished(std::move(body), m, spec);
+}
+
+Body tet_body(const mesh::TetMesh& tets, const BodySpec& spec) {
+  if (spec.order == 2) return quadratic_body(mesh::quadratic(tets), spec);
+  Body body;
   refuse_quadrature(spec, "tet");
   body.shape = Shape::tet;
   body.nodes = tets.vertices;
@@ -207,56 +214,164 @@ struct Multiplier {
 
 // ---- files ----
 
-Body flat_file(const mesh::SurfaceMesh& surface, const BodySpec& spec) {
-  for (Eigen::Index v = 0; v < surface.vertices.rows(); ++v)
-    if (surface.vertices(v, 2) != 0)
-      throw Error(spec.file.string() + ": a surface is deformed in the plane z = 0, but vertex " +
-                  std::to_string(v) + formatted(" has z = %g", surface.vertices(v, 2)));
-  return triangle_body(surface, spec);
+using mesh::ElementMesh;
+
+// The vertices that belong to elements.
+std::vector<bool> used_vertices(const ElementMesh& m) {
+  std::vector<bool> used(static_cast<std::size_t>(m.vertices.rows()), false);
+  for (Eigen::Index i = 0; i < m.elements.size(); ++i)
+    used[static_cast<std::size_t>(m.elements.data()[i])] = true;
+  return used;
 }
 
-bool holds_surfaces_only(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".obj" || extension == ".off" || extension == ".ply" || extension == ".stl";
+Eigen::AlignedBox3d box_of(const mesh::Points3& vertices, const std::vector<bool>& used) {
+  Eigen::AlignedBox3d box;
+  for (Eigen::Index v = 0; v < vertices.rows(); ++v)
+    if (used[static_cast<std::size_t>(v)]) box.extend(vertices.row(v).transpose());
+  return box;
 }
 
-double volume(const mesh::TetMesh& tets, Eigen::Index t) {
-  const auto p = [&](int c) -> Eigen::RowVector3d { return tets.vertices.row(tets.tets(t, c)); };
-  return (p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) / 6;
+// Sum of the areas of all elements as vectors; that of the largest one where they cancel.
+Eigen::Vector3d normal_of(const ElementMesh& m) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero(), largest = sum;
+  double area = 0;
+  for (Eigen::Index e = 0; e < m.elements.rows(); ++e) {
+    const auto p = [&](int c) -> Eigen::Vector3d { return m.vertices.row(m.elements(e, c)); };
+    const Eigen::Vector3d own =
+        m.shape == Shape::quad ? (p(2) - p(0)).cross(p(3) - p(1)) : (p(1) - p(0)).cross(p(2) - p(0));
+    sum += own;
+    area += own.norm();
+    if (own.norm() > largest.norm()) largest = own;
+  }
+  return (sum.norm() > 1e-3 * area ? sum : largest).stableNormalized();
 }
 
-// Some programs number the corners of tets the other way round. One such tet among others is a fault.
-void turn_if_all_are_inverted(mesh::TetMesh& tets, const std::filesystem::path& file) {
-  const int index_limit = static_cast<int>(tets.vertices.rows());
-  if (tets.tets.minCoeff() < 0 || tets.tets.maxCoeff() >= index_limit) return;
-  for (Eigen::Index t = 0; t < tets.tets.rows(); ++t)
-    if (!(volume(tets, t) < 0)) return;
-  const Eigen::VectorXi swapped = tets.tets.col(2);
-  tets.tets.col(2) = tets.tets.col(3);
-  tets.tets.col(3) = swapped;
-  notice(file.string() + ": every tet is numbered the other way round; all were turned");
+// The plane with that normal: u is the first axis that is not nearly across, turned into the plane.
+Plane plane_across(const Eigen::Vector3d& normal) {
+  Plane plane;
+  int axis = 0;
+  while (std::abs(normal[axis]) > 0.9) ++axis;
+  plane.u = (Eigen::Vector3d::Unit(axis) - normal[axis] * normal).normalized();
+  plane.v = normal.cross(plane.u);
+  return plane;
+}
+
+// Files of floats round to 1e-7 of their size.
+constexpr double out_of_plane = 1e-6;
+
+// Moves a surface from its plane to z = 0. Nothing but round-off may stand out of the plane.
+std::optional<Plane> flatten(ElementMesh& m) {
+  const std::vector<bool> used = used_vertices(m);
+  const Eigen::AlignedBox3d box = box_of(m.vertices, used);
+  const double tolerance = out_of_plane * box.diagonal().norm();
+  if (box.sizes()[2] <= tolerance) {
+    Plane plane;
+    plane.origin[2] = box.min()[2] + (box.max()[2] - box.min()[2]) / 2;
+    m.vertices.col(2).setZero();
+    return plane.origin[2] == 0 ? std::nullopt : std::optional(plane);
+  }
+  const Eigen::Vector3d normal = normal_of(m);
+  Plane plane = plane_across(normal);
+  const auto first = static_cast<Eigen::Index>(std::find(used.begin(), used.end(), true) - used.begin());
+  plane.origin = normal * normal.dot(m.vertices.row(first));
+  for (Eigen::Index v = 0; v < m.vertices.rows(); ++v) {
+    const Eigen::Vector3d p = m.vertices.row(v);
+    const double height = normal.dot(p - plane.origin);
+    if (used[static_cast<std::size_t>(v)] && !(std::abs(height) <= tolerance))
+      throw Error("a surface is deformed in its plane, but vertex " + std::to_string(v) +
+                  formatted(" stands %g out of that through vertex %td", height, first));
+    m.vertices.row(v) << plane.u.dot(p - plane.origin), plane.v.dot(p - plane.origin), 0;
+  }
+  return plane;
+}
+
+std::string listed_elements(const std::vector<int>& elements) {
+  constexpr std::size_t most = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, elements.size()); ++i)
+    text += (i > 0 ? ", " : "") + std::to_string(elements[i]);
+  return text + (elements.size() > most ? ", ..." : "");
+}
+
+std::string counted(const std::vector<int>& elements, Shape shape) {
+  return std::to_string(elements.size()) + " " +
+         (elements.size() == 1 ? mesh::shape_name(shape) : plural_name(shape));
+}
+
+std::string element_text(const ElementMesh& m, int e) {
+  std::string text = std::string(mesh::shape_name(m.shape)) + " " + std::to_string(e) + " (vertices";
+  for (Eigen::Index c = 0; c < m.elements.cols(); ++c) text += " " + std::to_string(m.elements(e, c));
+  return text + ")";
+}
+
+// Some programs number the corners of solid elements the other way round. One such element among others is a
+// fault.
+void mend(ElementMesh& m, const MeshRepair& repair, const std::string& file) {
+  const mesh::ElementRepairReport faults = mesh::find_faults(m);
+  const bool solid = mesh::shape_dim(m.shape) == 3;
+  const bool all_inverted = solid && std::ssize(faults.inverted) == m.elements.rows();
+  const std::string hint = repair.offered ? "; --repair " : "";
+  if (!repair.repair && !faults.duplicates.empty())
+    throw Error(element_text(m, faults.duplicates[0]) + " is there twice" +
+                (repair.offered ? hint + "leaves out copies" : ""));
+  if (!repair.repair && !all_inverted && !faults.inverted.empty())
+    throw Error(element_text(m, faults.inverted[0]) +
+                (solid ? " has negative volume" : " has negative area") +
+                ": it is numbered the other way round, or inverted" +
+                (repair.offered ? hint + "turns such elements" : ""));
+  if (faults.clean()) return;
+  mesh::repair(m);
+  if (all_inverted)
+    notice(file + ": every " + mesh::shape_name(m.shape) +
+           " is numbered the other way round; all were turned");
+  else if (!faults.inverted.empty())
+    notice(file + ": repair: " + counted(faults.inverted, m.shape) +
+           " turned: " + listed_elements(faults.inverted));
+  if (!faults.duplicates.empty())
+    notice(file + ": repair: " + counted(faults.duplicates, m.shape) +
+           " there twice, left out: " + listed_elements(faults.duplicates));
+}
+
+Body body_of(const ElementMesh& m, const BodySpec& spec) {
+  const bool linear = m.shape == Shape::tet || m.shape == Shape::triangle;
+  const bool quadratic = m.shape == Shape::quadratic_tet || m.shape == Shape::quadratic_triangle;
+  if (spec.order == 2 && !linear && !quadratic)
+    throw Error("order: only tets and triangles become quadratic, not " + plural_name(m.shape));
+  const mesh::Points2 flat = m.vertices.leftCols<2>();
+  switch (m.shape) {
+    case Shape::triangle:
+      return triangle_body(flat, m.elements, spec);
+    case Shape::quadratic_triangle:
+      return quadratic_body(mesh::QuadraticTriangleMesh{flat, m.elements}, spec);
+    case Shape::quad:
+      return quad_body({flat, m.elements}, spec);
+    case Shape::tet:
+      return tet_body({m.vertices, m.elements}, spec);
+    case Shape::quadratic_tet:
+      return quadratic_body(mesh::QuadraticTetMesh{m.vertices, m.elements}, spec);
+    case Shape::hex:
+      break;
+  }
+  return hex_body({m.vertices, m.elements}, spec);
 }
 
 Body read_body(const BodySpec& spec) {
   const std::string path = spec.file.string();
-  if (holds_surfaces_only(spec.file)) return flat_file(mesh::read_surface(path), spec);
-  mesh::TetMesh tets;
-  try {
-    tets = mesh::read_tets(path);
-  } catch (const Error&) {
-    std::optional<mesh::SurfaceMesh> surface;
-    try {
-      surface = mesh::read_surface(path);
-    } catch (const Error&) {
-      // What the file lacks as a body counts.
-    }
-    if (!surface) throw;
-    return flat_file(*surface, spec);
-  }
-  turn_if_all_are_inverted(tets, spec.file);
-  return naming_file(spec.file, [&] { return tet_body(tets, spec); });
+  ElementMesh m =
+      mesh::read_elements(path, {.leave_out_faces = spec.repair.repair,
+                                 .face_advice = spec.repair.offered ? "; --repair leaves it out" : ""});
+  return naming_file(spec.file, [&] {
+    if (spec.repair.weld)
+      if (const int welded = mesh::weld(m, *spec.repair.weld); welded > 0)
+        notice(path + ": " + std::to_string(welded) + " vertices welded to others");
+    std::optional<Plane> plane;
+    if (mesh::shape_dim(m.shape) == 2) plane = flatten(m);
+    mend(m, spec.repair, path);
+    Body body = body_of(m, spec);
+    body.plane = plane;
+    body.groups = std::move(m.groups);
+    return body;
+  });
 }
 
 }  // namespace
@@ -291,16 +406,41 @@ mesh::Points3 Body::points(const Vector& positions) const {
   return result;
 }
 
+mesh::Points3 Body::placed(const mesh::Points3& points) const {
+  if (!plane) return points;
+  mesh::Points3 result(points.rows(), 3);
+  for (Eigen::Index n = 0; n < points.rows(); ++n)
+    result.row(n) = (plane->origin + points(n, 0) * plane->u + points(n, 1) * plane->v).transpose();
+  return result;
+}
+
 handles::Nodes Body::selectable() const {
   handles::Nodes result;
   result.dim = dim;
   result.positions = rest_positions();
+  result.in_elements = in_elements();
+  for (const mesh::ElementGroup& group : groups) {
+    handles::NodeGroup own{group.number, group.name, {}};
+    const auto k = static_cast<std::size_t>(elements.nodes_per_element);
+    for (const int e : group.elements) {
+      const auto first =
+          elements.nodes.begin() + static_cast<std::ptrdiff_t>(k * static_cast<std::size_t>(e));
+      own.nodes.insert(own.nodes.end(), first, first + static_cast<std::ptrdiff_t>(k));
+    }
+    result.groups.push_back(std::move(own));
+  }
   result.boundary_edges = boundary_edges;
   return result;
 }
 
+std::vector<bool> Body::in_elements() const {
+  std::vector<bool> used(static_cast<std::size_t>(nodes.rows()), false);
+  for (const int node : elements.nodes) used[static_cast<std::size_t>(node)] = true;
+  return used;
+}
+
 double Body::diagonal() const {
-  return (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).norm();
+  return box_of(nodes, in_elements()).diagonal().norm();
 }
 
 double Body::volume() const {

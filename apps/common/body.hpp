@@ -4,6 +4,7 @@
 #include <isostretch/core/vector.hpp>
 #include <isostretch/handles/selection.hpp>
 #include <isostretch/mesh/boundary_surface.hpp>
+#include <isostretch/mesh/element_mesh.hpp>
 #include <isostretch/mesh/shape_functions.hpp>
 
 #include <array>
@@ -45,11 +46,27 @@ using GeneratedBody = std::variant<BarSpec, GridSpec, DiscSpec, BallSpec, Quadru
 // The same with so many times the cells in every direction. Throws Error where they are too many to count.
 GeneratedBody refined(GeneratedBody body, int factor);
 
+// What is done to the mesh of a file before anything else.
+struct MeshRepair {
+  bool repair = false;         // elements that are there twice go, inverted ones are turned
+  bool offered = true;         // an option of the app does that, and messages may name it
+  std::optional<double> weld;  // vertices no farther apart become one
+};
+
+// Where a flat body lies in space: the unit vectors of its axes, and its origin.
+struct Plane {
+  Eigen::Vector3d u = Eigen::Vector3d::UnitX(), v = Eigen::Vector3d::UnitY(),
+                  origin = Eigen::Vector3d::Zero();
+
+  bool operator==(const Plane& other) const { return u == other.u && v == other.v && origin == other.origin; }
+};
+
 struct BodySpec {
   std::filesystem::path file;  // unless it is generated
   std::optional<GeneratedBody> generated;
   int order = 1;       // 2: linear tets and triangles become quadratic, with straight edges
   int quadrature = 0;  // degree; 0: the shape's own
+  MeshRepair repair;
 };
 
 // What is deformed: solid elements in space, or flat ones in the plane (dim 2).
@@ -58,6 +75,8 @@ struct Body {
   mesh::Shape shape = mesh::Shape::tet;
   int dim = 3;
   mesh::Points3 nodes;                       // at rest; z = 0 in 2D
+  std::optional<Plane> plane;                // 2D: where the file has it, unless that is z = 0
+  std::vector<mesh::ElementGroup> groups;    // of the file
   assembly::Elements elements;               // at rest
   std::optional<assembly::Elements> richer;  // with the shape's own quadrature, where that has more points
   mesh::BoundarySurface surface;             // what is seen of it: outside, or everything in 2D
@@ -68,8 +87,11 @@ struct Body {
   Vector rest_positions() const;  // dim entries a node
   // Rows of three, z = 0 in 2D.
   mesh::Points3 points(const Vector& positions) const;
+  // Such rows where the file has the body: a flat one in its plane.
+  mesh::Points3 placed(const mesh::Points3& points) const;
+  std::vector<bool> in_elements() const;  // of every node
   handles::Nodes selectable() const;
-  double diagonal() const;              // of the box around it at rest
+  double diagonal() const;              // of the box around its elements at rest
   double volume() const;                // or area, at rest
   std::vector<double> volumes() const;  // of every element
   // "tet 17 (vertices 3 9 12 40)".
@@ -79,8 +101,10 @@ struct Body {
 };
 
 // Reads or makes it. Throws Error naming the file and the element for elements that are inverted, degenerate
-// or otherwise unusable; tells in a notice when every tet of a file is numbered the other way round and was
-// turned.
+// or otherwise unusable; tells in a notice what was repaired, and when every solid element of a file is
+// numbered the other way round and was turned. Flat elements of a file may lie in any plane; one in the plane
+// z = c keeps its x and y, in others u is the first axis that is not across, turned into the plane, and areas
+// are positive.
 Body load_body(const BodySpec& spec);
 
 // "tets", "hexes".

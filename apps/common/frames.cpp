@@ -39,8 +39,9 @@ void require_holds(FrameFormat format, const Body& body) {
 
 std::string format_frame(FrameFormat format, const Body& body, const Vector& positions,
                          const std::vector<CellField>& fields) {
-  const mesh::Points3 points = body.points(positions);
-  if (format == FrameFormat::vtu) return vtu_text(body, points, fields);
+  const mesh::Points3 flat = body.points(positions);
+  if (format == FrameFormat::vtu) return vtu_text(body, flat, fields);
+  const mesh::Points3 points = body.placed(flat);
   if (format == FrameFormat::obj) return mesh::format_obj(surface_at(body, points));
   return body.dim == 2 ? mesh::format_msh(surface_at(body, points)) : mesh::format_msh(tets_at(body, points));
 }

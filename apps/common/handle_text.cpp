@@ -72,9 +72,10 @@ Json selection(const std::string& part) {
   cut(part, ':', kind, rest);
   if (part == "all") return "all";
   if (kind == "slab") return {{"slab", slab(part, rest)}};
+  if (kind == "group") return {{"group", rest}};
   if (kind == "vertices") return {{"vertices", list(part, rest)}};
   if (kind != "box" && kind != "sphere" && kind != "segment" && kind != "nearest" && kind != "patch")
-    fail(part, "is no selection: all, box, sphere, segment, vertices, slab, nearest, patch");
+    fail(part, "is no selection: all, box, sphere, segment, vertices, slab, nearest, patch, group");
   const std::vector<double> n = numbers(part, rest);
   if (kind == "box") {
     const std::size_t dim = dimension(part, n.size(), 2, 0);
@@ -135,7 +136,7 @@ std::string handle_help(Holding holding) {
              "Handles: SELECTION[;KEY=VALUE...], in quotes for the shell's sake\n"
              "  SELECTION  all | slab:AXIS,min|max,FRACTION | box:X,Y,Z,X,Y,Z | sphere:X,Y,Z,RADIUS |\n"
              "             segment:X,Y,Z,X,Y,Z,DISTANCE | vertices:N[,N...] | nearest:X,Y,Z |\n"
-             "             patch:X,Y,Z,DISTANCE\n"
+             "             patch:X,Y,Z,DISTANCE | group:NAME\n"
              "  KEY=VALUE  translate=X,Y,Z | rotate=X,Y,Z:DEGREES | scale=S | center=X,Y,Z | ") +
          (holding == Holding::hard ? "soft=WEIGHT" : "hard") +
          " | name=TEXT\n  In the plane points have two numbers, and rotate=DEGREES.\n";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace isostretch::app {
@@ -19,13 +20,57 @@ std::string without_number(const std::string& message) {
 // Deeper ones are no input of ours, and code that goes down into them would run out of stack.
 constexpr int deepest = 64;
 
+// Follows the parser, which takes the last of two equal keys without a word.
+class DuplicateKeys {
+ public:
+  void see(Json::parse_event_t event, const Json& value) {
+    using Event = Json::parse_event_t;
+    if (event == Event::key) {
+      add_key(value.get<std::string>());
+    } else if (event == Event::object_end || event == Event::array_end) {
+      open_.pop_back();
+    } else {
+      if (!open_.empty() && open_.back().is_list) ++open_.back().item;
+      if (event != Event::value) open_.push_back({event == Event::array_start, -1, {}, {}});
+    }
+  }
+
+ private:
+  struct Level {
+    bool is_list;
+    long item;
+    std::string key;
+    std::set<std::string> keys;
+  };
+
+  void add_key(const std::string& key) {
+    open_.back().key = key;
+    if (!open_.back().keys.insert(key).second) throw Error(path() + ": the key is given twice");
+  }
+
+  std::string path() const {
+    std::string text;
+    for (const Level& level : open_) {
+      if (level.is_list)
+        text.append("[").append(std::to_string(level.item)).append("]");
+      else
+        text.append(text.empty() ? "" : ".").append(level.key);
+    }
+    return text;
+  }
+
+  std::vector<Level> open_;
+};
+
 Json parsed(const std::string& text) {
-  const auto require_shallow = [](int depth, Json::parse_event_t, Json&) {
+  DuplicateKeys keys;
+  const auto check = [&keys](int depth, Json::parse_event_t event, Json& value) {
     if (depth > deepest)
       throw Error("lists and objects inside each other, more than " + std::to_string(deepest) + " deep");
+    keys.see(event, value);
     return true;
   };
-  return Json::parse(text, require_shallow, true, true);
+  return Json::parse(text, check, true, true);
 }
 
 // Of any value in a few words.

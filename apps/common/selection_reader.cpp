@@ -7,8 +7,8 @@ namespace {
 
 constexpr ChoiceNames<int, 3> axis_names{{{"x", 0}, {"y", 1}, {"z", 2}}};
 constexpr ChoiceNames<handles::End, 2> end_names{{{"min", handles::End::min}, {"max", handles::End::max}}};
-const std::vector<std::string> kinds{"all",      "box",  "sphere",  "segment",
-                                     "vertices", "slab", "nearest", "patch"};
+const std::vector<std::string> kinds{"all",  "box",     "sphere", "segment", "vertices",
+                                     "slab", "nearest", "patch",  "group"};
 
 handles::Box read_box(const JsonValue& value, int dim) {
   value.only({"min", "max"});
@@ -62,6 +62,10 @@ handles::Selection read_selection(const JsonValue& value, int dim) {
   if (const auto slab = value.find("slab")) return read_slab(*slab, dim);
   if (const auto nearest = value.find("nearest")) return read_nearest(*nearest, dim);
   if (const auto patch = value.find("patch")) return read_patch(*patch, dim);
+  if (const auto group = value.find("group"))
+    return handles::Group{group->is_text() ? group->text()
+                                           : std::to_string(group->whole(std::numeric_limits<int>::min(),
+                                                                         std::numeric_limits<int>::max()))};
   return handles::List{value.at("vertices").whole_numbers()};
 }
 

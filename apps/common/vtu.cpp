@@ -49,14 +49,14 @@ class Arrays {
 
 }  // namespace
 
-std::string vtu_text(const Body& body, const mesh::Points3& points, const std::vector<CellField>& fields,
+std::string vtu_text(const Body& body, const mesh::Points3& flat, const std::vector<CellField>& fields,
                      const std::vector<NodeField>& node_fields) {
   const auto cells = static_cast<std::size_t>(body.elements.element_count());
   std::vector<std::int64_t> offsets(cells);
   for (std::size_t i = 0; i < cells; ++i)
     offsets[i] = static_cast<std::int64_t>(i + 1) * body.elements.nodes_per_element;
   const std::vector<std::uint8_t> types(cells, vtk_type(body.shape));
-  const mesh::Points3 displacement = points - body.nodes;
+  const mesh::Points3 points = body.placed(flat), displacement = points - body.placed(body.nodes);
   const auto numbers = static_cast<std::size_t>(points.size());
 
   Arrays arrays;

@@ -15,6 +15,7 @@ namespace {
 
 Body read_body(const JsonValue& value, const std::filesystem::path& folder) {
   BodySpec spec;
+  spec.repair.offered = false;
   read_mesh(value.at("mesh"), folder, spec);
   if (const auto order = value.find("order")) spec.order = order->whole(1, 2);
   if (const auto quadrature = value.find("quadrature")) spec.quadrature = quadrature->whole(1, 5);

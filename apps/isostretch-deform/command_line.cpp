@@ -31,7 +31,7 @@ void CommandLine::declare(CLI::App& cli) {
 
 void CommandLine::declare_files(CLI::App& cli) {
   cli.option_defaults()->group("Files");
-  std::string input_help = "Tets (MSH, MESH, VTK, VTU), a surface in the plane z = 0, or a scene (JSON)";
+  std::string input_help = "Solid elements (MSH, MESH, VTK, VTU, NODE), a flat surface, or a scene (JSON)";
   cli.add_option("input", input_, input_help)->required()->type_name("FILE");
   cli.add_option("-o,--out", out_, "Folder for frames, summary.json, trace.csv, deform.png, report.html")
       ->required()
@@ -44,6 +44,7 @@ void CommandLine::declare_files(CLI::App& cli) {
       ->check(one_of(all_names(frame_format_names)))
       ->type_name("NAME")
       ->default_str("vtu");
+  repair_flags_.declare(cli);
   cli.add_flag("--glb", glb_, "Also write deform.glb: the frames as morph targets (shape keys), animated");
   cli.add_flag("--no-picture", no_picture_, "Do not draw deform.png, and write no report.html");
 }
@@ -84,6 +85,10 @@ void CommandLine::declare_scene(CLI::App& cli) {
   cli.add_option("--quadrature", quadrature_, "Degree that the quadrature of the elements integrates exactly")
       ->check(whole_number_between(1, 5))
       ->type_name("N");
+}
+
+MeshRepair CommandLine::repair() const {
+  return failing_with(ExitCode::command_line, [this] { return repair_flags_.repair(); });
 }
 
 Options CommandLine::options() const {

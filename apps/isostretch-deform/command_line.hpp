@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/output_folder.hpp"
+#include "common/repair_flags.hpp"
 #include "common/scene_input.hpp"
 #include "common/solver_flags.hpp"
 #include "options.hpp"
@@ -29,6 +30,7 @@ class CommandLine {
   // The scene file, if there is one, with what the command line adds or replaces.
   Json scene() const;
 
+  MeshRepair repair() const;
   bool has_scene_file() const { return is_scene_file(input_); }
   const std::filesystem::path& input() const { return input_; }
 
@@ -45,6 +47,7 @@ class CommandLine {
   std::optional<double> young_, poisson_;
   std::vector<std::string> parameters_, handles_;
   SolverFlags solver_flags_;
+  RepairFlags repair_flags_;
   int stop_after_ = -1;
   bool restart_ = false, no_picture_ = false, glb_ = false;
 };

@@ -56,7 +56,8 @@ class Job {
  private:
   Body read_body(const CommandLine& command_line) {
     const std::filesystem::path parent = scene_folder(command_line.input());
-    const BodySpec spec = reading_scene(command_line.input(), [&] { return read_body_spec(json_, parent); });
+    BodySpec spec = reading_scene(command_line.input(), [&] { return read_body_spec(json_, parent); });
+    spec.repair = command_line.repair();
     if (spec.generated) return reading_scene(command_line.input(), [&] { return load_body(spec); });
     return failing_with(ExitCode::input, [&] { return load_body(spec); });
   }

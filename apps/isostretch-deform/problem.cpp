@@ -10,6 +10,10 @@ namespace isostretch::app::deform {
 namespace {
 
 std::vector<int> selected_elements(const RegionSpec& spec, const Body& body, const handles::Nodes& nodes) {
+  if (spec.select && std::holds_alternative<handles::Group>(*spec.select)) {
+    const std::string& name = std::get<handles::Group>(*spec.select).name;
+    return body.groups[handles::find_group(name, nodes.groups, spec.path + ".select")].elements;
+  }
   if (spec.select) {
     std::vector<int> chosen =
         handles::elements_within(handles::select(*spec.select, nodes, spec.path + ".select"), body.elements);

@@ -30,7 +30,7 @@ void CommandLine::declare(CLI::App& cli) {
 
 void CommandLine::declare_files(CLI::App& cli) {
   cli.option_defaults()->group("Files");
-  cli.add_option("first", first_, "First pose: tets (MSH, MESH, VTK, VTU) or a surface in the plane z = 0")
+  cli.add_option("first", first_, "First pose: solid elements (MSH, MESH, VTK, VTU, NODE) or a flat surface")
       ->required()
       ->type_name("FILE");
   cli.add_option("second", second_, "Second pose: the same vertices and elements in the same order")
@@ -47,6 +47,7 @@ void CommandLine::declare_files(CLI::App& cli) {
       ->check(one_of(all_names(frame_format_names)))
       ->type_name("NAME")
       ->capture_default_str();
+  repair_flags_.declare(cli);
   cli.add_flag("--glb", glb_,
                "Also write interpolation.glb: the frames as morph targets (shape keys), animated");
   cli.add_flag("--no-picture", no_pictures_, "Draw no pictures, and write no report.html");
@@ -81,6 +82,7 @@ Options CommandLine::options() const {
     options.first = first_;
     options.second = second_;
     options.out = out_;
+    options.repair = repair_flags_.repair();
     options.frames = frames_;
     options.energy = energy_;
     options.parameters = parse_parameters(parameters_);

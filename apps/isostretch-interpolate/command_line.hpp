@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/repair_flags.hpp"
 #include "common/solver_flags.hpp"
 #include "options.hpp"
 
@@ -32,6 +33,7 @@ class CommandLine {
   int frames_ = defaults_.frames;
   std::vector<std::string> parameters_;
   SolverFlags solver_flags_;
+  RepairFlags repair_flags_;
   bool no_pictures_ = false, glb_ = false;
 };
 

@@ -32,8 +32,9 @@ class Job {
         common_(common),
         poses_(timed(seconds_.read,
                      [&] {
-                       return failing_with(ExitCode::input,
-                                           [&] { return read_poses(options_.first, options_.second); });
+                       return failing_with(ExitCode::input, [&] {
+                         return read_poses(options_.first, options_.second, options_.repair);
+                       });
                      })),
         energy_(failing_with(ExitCode::command_line,
                              [&] {

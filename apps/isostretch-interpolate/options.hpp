@@ -34,6 +34,7 @@ inline newton::Options frame_solver() {
 struct Options {
   std::filesystem::path first, second;  // meshes
   std::filesystem::path out;
+  MeshRepair repair;
   int frames = 10;  // after the first pose; the last is the second pose
   std::string energy = "symmetric_arap";
   std::map<std::string, double> parameters = {};

@@ -38,14 +38,26 @@ void require_same_connectivity(const Poses& poses, const std::string& first, con
   if (e >= 0) require_same(second, first, b.element_text(e), a.element_text(e));
 }
 
+// Frames lie in the plane of the first pose.
+void require_same_plane(const Poses& poses, const std::string& first, const std::string& second) {
+  const Plane a = poses.first.plane.value_or(Plane()), b = poses.second.plane.value_or(Plane());
+  const double tolerance = 1e-6, distance = tolerance * poses.first.diagonal();
+  if ((a.u - b.u).norm() > tolerance || (a.v - b.v).norm() > tolerance ||
+      (a.origin - b.origin).norm() > distance)
+    throw Error(second + " lies in another plane than " + first);
+}
+
 }  // namespace
 
-Poses read_poses(const std::filesystem::path& first, const std::filesystem::path& second) {
+Poses read_poses(const std::filesystem::path& first, const std::filesystem::path& second,
+                 const MeshRepair& repair) {
   BodySpec a, b;
+  a.repair = b.repair = repair;
   a.file = first;
   b.file = second;
   Poses poses{load_body(a), load_body(b)};
   require_same_connectivity(poses, first.string(), second.string());
+  require_same_plane(poses, first.string(), second.string());
   return poses;
 }
 

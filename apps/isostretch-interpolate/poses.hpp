@@ -12,7 +12,8 @@ struct Poses {
 };
 
 // Throws Error naming the file and the element: for elements that cannot be used, and for the first one that
-// is not the same in both.
-Poses read_poses(const std::filesystem::path& first, const std::filesystem::path& second);
+// is not the same in both; for flat poses that lie in different planes.
+Poses read_poses(const std::filesystem::path& first, const std::filesystem::path& second,
+                 const MeshRepair& repair);
 
 }  // namespace isostretch::app::interpolate

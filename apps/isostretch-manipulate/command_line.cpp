@@ -64,8 +64,7 @@ void CommandLine::declare(CLI::App& cli) {
 
 void CommandLine::declare_files(CLI::App& cli) {
   cli.option_defaults()->group("Files");
-  cli.add_option("input", input_,
-                 "Tets (MSH, MESH, VTK, VTU), a surface in the plane z = 0, or a scene (JSON)")
+  cli.add_option("input", input_, "Tets (MSH, MESH, VTK, VTU, NODE), a flat surface, or a scene (JSON)")
       ->type_name("FILE");
   cli.add_option("-o,--out", out_,
                  "Folder for frames, summary.json, trace.csv, manipulate.png, path.png, report.html")
@@ -79,6 +78,7 @@ void CommandLine::declare_files(CLI::App& cli) {
                  "Keep handle weights in that folder, and take them from it")
       ->type_name("FOLDER");
   add_choice(cli, "--format", format_, frame_format_names, "Of the frames: ", "vtu");
+  repair_flags_.declare(cli);
   cli.add_flag("--glb", glb_,
                "Also write manipulate.glb: the frames as morph targets (shape keys), animated");
   cli.add_flag("--no-picture", no_picture_, "Draw no pictures, and write no report.html");
@@ -179,6 +179,10 @@ void CommandLine::declare_photo(CLI::App& cli) {
       ->type_name("N");
   add_choice(cli, "--photo-fit", photo_fit_, photo_fit_names,
              "How it lies on the mesh: ", name_of(photo_fit_names, PhotoFit::box));
+}
+
+MeshRepair CommandLine::repair() const {
+  return failing_with(ExitCode::command_line, [this] { return repair_flags_.repair(); });
 }
 
 Options CommandLine::options() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/output_folder.hpp"
+#include "common/repair_flags.hpp"
 #include "common/scene_input.hpp"
 #include "options.hpp"
 
@@ -28,6 +29,7 @@ class CommandLine {
   // The scene file, if there is one, with what the command line adds or replaces.
   Json scene() const;
 
+  MeshRepair repair() const;
   bool has_scene_file() const { return is_scene_file(input_); }
   const std::filesystem::path& input() const { return input_; }
   // Where the files of the scene are looked for.
@@ -52,6 +54,7 @@ class CommandLine {
   std::optional<double> alpha_, incompressibility_, margin_, largest_stretch_, gap_;
   std::optional<int> max_iterations_, relinearize_, photo_cells_;
   std::vector<std::string> handles_;
+  RepairFlags repair_flags_;
   int refine_ = 1, repetitions_ = 1;
   double time_limit_ = 0, memory_limit_ = 0;
   bool absolute_ = false, no_picture_ = false, glb_ = false;

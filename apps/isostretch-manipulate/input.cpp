@@ -7,9 +7,10 @@
 namespace isostretch::app::manipulate {
 
 Body read_body(const CommandLine& command_line, const Json& scene) {
-  const BodySpec spec = reading_scene(command_line.input(), [&] {
+  BodySpec spec = reading_scene(command_line.input(), [&] {
     return read_body_spec(scene, command_line.folder(), command_line.refine());
   });
+  spec.repair = command_line.repair();
   const auto load = [&] {
     Body body = load_body(spec);
     require_linear(body);

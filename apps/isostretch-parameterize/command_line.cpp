@@ -35,6 +35,7 @@ void CommandLine::declare_files(CLI::App& cli) {
   cli.add_flag(
       "--repair", repair_,
       "Orient triangles alike, drop duplicate and degenerate ones, split vertices where sheets touch");
+  weld_option_ = declare_weld(cli, weld_);
   cli.add_flag("--no-picture", no_picture_,
                "Do not draw pictures, and write no report.html, which shows them");
   cli.add_flag("--glb", glb_, "Also write <model>_uv.glb with a checkerboard as texture");
@@ -203,6 +204,7 @@ Options CommandLine::options() const {
     options.out = out_;
     options.initial = choice_of(initial_names, initial_);
     options.repair = repair_;
+    options.weld = weld_tolerance(weld_option_, weld_);
     options.cut = !no_cut_;
     options.input_seams = seams_ == "input";
     options.holes = choice_of(holes_names, holes_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/repair_flags.hpp"
 #include "common/solver_flags.hpp"
 #include "options.hpp"
 
@@ -38,6 +39,8 @@ class CommandLine {
               overlap_ = "auto", uv_units_ = "auto";
   int cut_tips_ = Options().cut_tips, max_cuts_ = Options().max_cuts;
   double max_distortion_ = 0, margin_ = Options().margin;
+  std::string weld_;
+  const CLI::Option* weld_option_ = nullptr;
   bool check_ = false, triangulate_ = false, repair_ = false, no_cut_ = false, no_picture_ = false,
        glb_ = false;
 };

@@ -7,8 +7,10 @@
 #include <isostretch/mesh/components.hpp>
 #include <isostretch/mesh/io.hpp>
 #include <isostretch/mesh/seams.hpp>
+#include <isostretch/mesh/weld.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <sstream>
 #include <string>
@@ -41,12 +43,51 @@ bool repair_would_help(mesh::SurfaceMesh mesh) {
   }
 }
 
+bool is_obj(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".obj";
+}
+
+int pieces_of(const mesh::SurfaceMesh& mesh) {
+  const std::vector<int> piece =
+      mesh::component_of_triangles(mesh.triangles, static_cast<int>(mesh.vertices.rows()));
+  return piece.empty() ? 0 : 1 + *std::max_element(piece.begin(), piece.end());
+}
+
+// Some exporters give every face vertices of its own.
+void tell_of_coincident_points(const Domain& domain) {
+  const int pieces = pieces_of(domain.input);
+  if (pieces < 2) return;
+  mesh::SurfaceMesh welded = domain.input;
+  const int doubled = mesh::weld(welded);
+  if (doubled == 0 || pieces_of(welded) == pieces) return;
+  notice(std::to_string(doubled) + (doubled == 1 ? " vertex is" : " vertices are") +
+         " at the place of others, so that the surface comes in " +
+         counted(static_cast<std::size_t>(pieces), "piece") + " instead of " +
+         std::to_string(pieces_of(welded)) + "; --weld takes them for one");
+}
+
 Domain read_input(const Options& options) {
   Domain domain;
-  const bool with_uv = options.initial == Initial::input || options.input_seams;
-  domain.input =
-      mesh::read_surface(options.model.string(), {.leave_out_faces = options.repair, .read_uv = with_uv});
-  if (options.repair) naming_file(options.model, [&] { repair_input(domain); });
+  const mesh::ReadOptions how{.leave_out_faces = options.repair,
+                              .face_advice = "; --repair leaves it out",
+                              .read_uv = options.initial == Initial::input || options.input_seams};
+  if (is_obj(options.model)) {
+    domain.document =
+        std::make_shared<const mesh::ObjDocument>(mesh::ObjDocument::read(options.model.string(), how));
+    domain.input = domain.document->mesh();
+  } else {
+    domain.input = mesh::read_surface(options.model.string(), how);
+  }
+  naming_file(options.model, [&] {
+    if (options.weld)
+      notice("weld: " + std::to_string(mesh::weld(domain.input, *options.weld)) +
+             " vertices taken for others");
+    else
+      tell_of_coincident_points(domain);
+    if (options.repair) repair_input(domain);
+  });
   return domain;
 }
 

@@ -3,9 +3,11 @@
 #include "options.hpp"
 
 #include <isostretch/mesh/cut.hpp>
+#include <isostretch/mesh/obj_document.hpp>
 #include <isostretch/mesh/repair.hpp>
 #include <isostretch/mesh/types.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,7 +16,8 @@ namespace isostretch::app::parameterize {
 // What is flattened: the input, repaired where that was asked for, and opened where it has to be.
 struct Domain {
   mesh::SurfaceMesh input;
-  mesh::RepairReport repairs;  // empty without --repair
+  std::shared_ptr<const mesh::ObjDocument> document;  // of an OBJ file: what input was made of
+  mesh::RepairReport repairs;                         // empty without --repair
   // Opened: the same triangles in the same order, a vertex on a seam has several copies.
   mesh::Cut cut;
   mesh::Points2 input_uv;  // per vertex of cut.mesh, when the input's uv is the start

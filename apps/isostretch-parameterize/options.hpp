@@ -43,6 +43,7 @@ struct Options {
   Initial initial = Initial::tutte;
   bool check = false;  // only say what is wrong with the model
   bool repair = false;
+  std::optional<double> weld;  // tolerance
   bool cut = true;
   bool input_seams = true;  // cut where the input's uv does
   mesh::Holes holes = mesh::Holes::keep_short;

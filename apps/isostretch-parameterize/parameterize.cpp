@@ -8,6 +8,7 @@
 #include "outcome.hpp"
 #include "report_page.hpp"
 #include "textured_glb.hpp"
+#include "uv_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,7 @@ namespace {
 Pictures write(OutputFolder& folder, const Result& result) {
   const Options& options = result.options;
   const std::string stem = options.model.stem().string();
-  folder.add(stem + "_uv.obj", mesh::format_obj(textured(result)));
+  folder.add(stem + "_uv.obj", uv_file(result));
   folder.add("trace.csv", trace_text(result));
   if (options.glb) folder.add(stem + "_uv.glb", textured_glb(result));
   if (!options.picture) return {};

@@ -60,6 +60,7 @@ Json options_json(const Options& options) {
           {"corners", options.corners},
           {"aligned", aligned_json(options)},
           {"repair", options.repair},
+          {"weld", options.weld ? Json(*options.weld) : Json()},
           {"cut", options.cut},
           {"input_seams", options.input_seams},
           {"holes", name_of(holes_names, options.holes)},

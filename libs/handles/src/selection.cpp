@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -42,7 +42,17 @@ class Selector {
       if (node < 0 || node >= nodes_.count())
         fail("there is no vertex " + std::to_string(node) + ", they go from 0 to " +
              std::to_string(nodes_.count() - 1));
-    return list.nodes;
+    std::vector<int> chosen;
+    std::copy_if(list.nodes.begin(), list.nodes.end(), std::back_inserter(chosen),
+                 [this](int node) { return nodes_.counts(node); });
+    if (chosen.empty() && !list.nodes.empty())
+      fail("selects no vertex of an element: vertex " + std::to_string(list.nodes.front()) +
+           " belongs to none");
+    return chosen;
+  }
+
+  std::vector<int> operator()(const Group& group) const {
+    return nodes_.groups[find_group(group.name, nodes_.groups, name_)].nodes;
   }
 
   std::vector<int> operator()(const Slab& slab) const {
@@ -51,6 +61,7 @@ class Selector {
     require_positive(slab.width, "width");
     double low = infinity, high = -infinity;
     for (int n = 0; n < nodes_.count(); ++n) {
+      if (!nodes_.counts(n)) continue;
       low = std::min(low, nodes_.at(n)[slab.axis]);
       high = std::max(high, nodes_.at(n)[slab.axis]);
     }
@@ -62,11 +73,10 @@ class Selector {
 
   std::vector<int> operator()(const Nearest& nearest) const {
     if (nearest.count < 1) fail("a count of " + std::to_string(nearest.count) + ", must be at least 1");
-    if (nearest.count > nodes_.count())
-      fail("the " + std::to_string(nearest.count) + " nearest of " + std::to_string(nodes_.count()) +
+    std::vector<int> order = where([](const Point&) { return true; });
+    if (nearest.count > std::ssize(order))
+      fail("the " + std::to_string(nearest.count) + " nearest of " + std::to_string(order.size()) +
            " vertices");
-    std::vector<int> order(static_cast<std::size_t>(nodes_.count()));
-    std::iota(order.begin(), order.end(), 0);
     const auto nearer = [&](int a, int b) {
       return std::pair(distance(nodes_.at(a), nearest.point), a) <
              std::pair(distance(nodes_.at(b), nearest.point), b);
@@ -99,7 +109,7 @@ class Selector {
   std::vector<int> where(const Inside& inside) const {
     std::vector<int> chosen;
     for (int n = 0; n < nodes_.count(); ++n)
-      if (inside(nodes_.at(n))) chosen.push_back(n);
+      if (nodes_.counts(n) && inside(nodes_.at(n))) chosen.push_back(n);
     return chosen;
   }
 
@@ -167,6 +177,25 @@ class Selector {
 };
 
 }  // namespace
+
+std::size_t find_group(const std::string& wanted, const std::vector<NodeGroup>& groups,
+                       const std::string& name) {
+  const auto called = [&](const auto& of) {
+    return static_cast<std::size_t>(
+        std::find_if(groups.begin(), groups.end(), [&](const NodeGroup& g) { return of(g) == wanted; }) -
+        groups.begin());
+  };
+  std::size_t found = called([](const NodeGroup& g) { return g.name; });
+  if (found == groups.size() || wanted.empty())
+    found = called([](const NodeGroup& g) { return std::to_string(g.number); });
+  if (found < groups.size()) return found;
+  std::string text;
+  for (const NodeGroup& g : groups)
+    text +=
+        (text.empty() ? "" : ", ") + std::to_string(g.number) + (g.name.empty() ? "" : " '" + g.name + "'");
+  throw Error(name + ": there is no group '" + wanted + "'; " +
+              (text.empty() ? "the mesh has none" : "there are " + text));
+}
 
 std::vector<int> select(const Selection& selection, const Nodes& nodes, const std::string& name) {
   const Selector selector(nodes, name);

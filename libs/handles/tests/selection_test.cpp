@@ -50,6 +50,37 @@ void check_failure(const Selection& selection, const std::string& word) {
 
 }  // namespace
 
+TEST_CASE("nodes of no element are neither selected nor looked at") {
+  Nodes nodes = nodes_of(bar());
+  nodes.positions.conservativeResize(nodes.positions.size() + 3);
+  nodes.positions.tail(3).setConstant(100);
+  nodes.in_elements.assign(46, true);
+  nodes.in_elements[45] = false;
+  const auto chosen = [&](const Selection& s) { return select(s, nodes, "it"); };
+  CHECK(chosen(All{}).size() == 45);
+  CHECK(chosen(Slab{0, End::max, 0.1}).size() == 9);
+  CHECK(chosen(Nearest{{100, 100, 100}, 1}) == chosen(Nearest{{4, 2, 2}, 1}));
+  CHECK(chosen(List{{45, 3}}) == std::vector<int>{3});
+  for (const Selection& alone : {Selection(List{{45}}), Selection(Sphere{{100, 100, 100}, 1}),
+                                 Selection(Box{{99, 99, 99}, {101, 101, 101}})})
+    CHECK_THROWS_WITH_AS(chosen(alone), doctest::Contains("it: selects no vertex"), Error);
+  CHECK_THROWS_WITH_AS(chosen(Nearest{{0, 0, 0}, 46}), doctest::Contains("the 46 nearest of 45 vertices"),
+                       Error);
+}
+
+TEST_CASE("groups by name, and by number where no name is the same") {
+  Nodes nodes = nodes_of(bar());
+  nodes.groups = {{1, "soft", {3, 1, 3}}, {2, "", {5}}, {3, "2", {7}}};
+  const auto chosen = [&](const char* name) { return select(Group{name}, nodes, "it"); };
+  CHECK(chosen("soft") == std::vector<int>{1, 3});
+  CHECK(chosen("1") == std::vector<int>{1, 3});
+  CHECK(chosen("2") == std::vector<int>{7});
+  CHECK_THROWS_WITH_AS(chosen("bone"), "it: there is no group 'bone'; there are 1 'soft', 2, 3 '2'", Error);
+  CHECK_THROWS_WITH_AS(chosen(""), doctest::Contains("there is no group ''"), Error);
+  nodes.groups.clear();
+  CHECK_THROWS_WITH_AS(chosen("bone"), "it: there is no group 'bone'; the mesh has none", Error);
+}
+
 TEST_CASE("selections of a bar") {
   const Nodes nodes = nodes_of(bar());
   const auto count = [&](const Selection& s) { return select(s, nodes, "it").size(); };

@@ -5,6 +5,7 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/mesh/check.hpp>
 #include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh/repair.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +30,25 @@ void read(const std::uint8_t* data, std::size_t size, const Parse& parse) {
   try {
     const Report report = check(parse(contents, "input", options_from(contents)));
     if (!report.indices_valid || report.count(Kind::not_finite) > 0) __builtin_trap();
+  } catch (const Error&) {
+    return;
+  }
+}
+
+// The same of elements of any kind.
+template <class Parse>
+void read_elements(const std::uint8_t* data, std::size_t size, const Parse& parse) {
+  const std::string_view contents(reinterpret_cast<const char*>(data), size);
+  try {
+    ElementMesh mesh = parse(contents, "input", options_from(contents));
+    const int count = static_cast<int>(mesh.elements.rows());
+    if (count == 0 || mesh.elements.minCoeff() < 0 || mesh.elements.maxCoeff() >= mesh.vertices.rows() ||
+        !mesh.vertices.allFinite() || mesh.elements.cols() != shape_node_count(mesh.shape))
+      __builtin_trap();
+    for (const ElementGroup& group : mesh.groups)
+      for (const int e : group.elements)
+        if (e < 0 || e >= count) __builtin_trap();
+    repair(mesh);
   } catch (const Error&) {
     return;
   }

@@ -265,9 +265,9 @@ TEST_CASE("every format: what cannot be opened, and what has no known extension"
                        "a.xyz: cannot tell the format: the name ends in none of .obj, .off, .ply, .stl, "
                        ".msh, .mesh, .vtk, .vtu",
                        Error);
-  CHECK_THROWS_WITH_AS(read_tets("a.obj"),
-                       "a.obj: cannot tell the format: the name ends in none of .msh, .mesh, .vtk, .vtu",
-                       Error);
+  CHECK_THROWS_WITH_AS(
+      read_tets("a.obj"),
+      "a.obj: cannot tell the format: the name ends in none of .msh, .mesh, .vtk, .vtu, .node, .ele", Error);
   CHECK_THROWS_WITH_AS(write_surface("a.stl", square()),
                        doctest::Contains("ends in none of .obj, .off, .ply"), Error);
   CHECK_THROWS_WITH_AS(write_tets("a", sample_tets()), doctest::Contains("a: cannot tell the format"), Error);

@@ -1,6 +1,7 @@
 #include "formats.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/mesh/generators.hpp>
 
 #include <doctest/doctest.h>
 
@@ -65,13 +66,15 @@ TEST_CASE("VTU: base64 of both lengths of header, in one stream or in parts, ove
   wide_file.insert(9, "header_type=\"UInt64\" ");
   CHECK(parse_vtu_surface(wide_file, "m.vtu").vertices(1, 0) == 1);
   refused(with_points(array(float_points, one.substr(0, 20) + "*" + one.substr(20), "binary")),
-          "m.vtu:4: the data are not base64");
-  refused(with_points(array(float_points, one.substr(0, 21), "binary")), "m.vtu:4: the data are not base64");
+          "m.vtu:4: the data end early or are not base64");
+  refused(with_points(array(float_points, one.substr(0, 21), "binary")),
+          "m.vtu:4: the data end early or are not base64");
   refused(with_points(array(float_points, one.substr(0, 20), "binary")),
-          "m.vtu:4: array of 36 bytes, where 11 are left");
+          "m.vtu:4: the data end early or are not base64");
   refused(with_points(array(float_points, one + "AAAA", "binary")),
-          "m.vtu:4: array of 36 bytes, where 39 are left");
-  refused(with_points(array(float_points, "AA==", "binary")), "m.vtu:4: the data end within their header");
+          "m.vtu:4: the DataArray goes on behind its 36 bytes");
+  refused(with_points(array(float_points, "AA==", "binary")),
+          "m.vtu:4: the data end early or are not base64");
   refused(with_points(array("type=\"Float64\" NumberOfComponents=\"3\"", one, "binary")),
           "m.vtu:4: 36 bytes for 9 numbers of type Float64");
 }
@@ -130,7 +133,7 @@ TEST_CASE("VTU: what is not understood is refused by line") {
           "m.vtu:4: DataArray of unknown format 'zipped'");
   std::string compressed = with_points(array(float_points, "AAAA", "binary"));
   compressed.insert(9, "compressor=\"vtkZLibDataCompressor\" ");
-  refused(compressed, "m.vtu:4: compressed data are not read: write the file without compression");
+  refused(compressed, "m.vtu:4: the data end early or are not base64");
   refused(with_points("<DataArray " + float_points + " format=\"appended\" offset=\"0\"/>"),
           "m.vtu:4: the file has no AppendedData");
 }
@@ -155,8 +158,8 @@ TEST_CASE("VTU: faults in appended data are named by byte") {
   bad[start + 5] = '\xf0';
   refused(bad, at(0, "point 0: x coordinate is not finite").c_str());
   bad = file;
-  bad.replace(bad.find("raw"), 3, "base64");
-  refused(bad, "m.vtu:17: appended data of encoding 'base64': only raw is read");
+  bad.replace(bad.find("raw"), 3, "hex");
+  refused(bad, "m.vtu:17: appended data of encoding 'hex', which is neither raw nor base64");
   bad = file;
   bad[start - 1] = '-';
   refused(bad, "m.vtu:17: appended data do not begin with an underscore");
@@ -175,4 +178,139 @@ TEST_CASE("VTU: pieces cannot share appended data and grow without bound") {
   file.replace(begin, after - begin, pieces);
   CHECK_THROWS_WITH_AS(parse_vtu_surface(file, "m.vtu"), doctest::Contains(": appended arrays overlap"),
                        Error);
+}
+
+namespace {
+
+// As VTK 9.1 and meshio 5 write them by default; made with both.
+const std::string vtk_default = R"(<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian" header_type="UInt32" compressor="vtkZLibDataCompressor">
+  <UnstructuredGrid>
+ <Piece NumberOfPoints="8" NumberOfCells="7" >
+ <PointData>
+ </PointData>
+ <CellData>
+ </CellData>
+ <Points>
+ <DataArray type="Float64" Name="Points" NumberOfComponents="3" format="appended" RangeMin="0" RangeMax="1.7916472867" offset="0" />
+ </Points>
+ <Cells>
+ <DataArray type="Int64" Name="connectivity" format="appended" RangeMin="" RangeMax="" offset="80" />
+ <DataArray type="Int64" Name="offsets" format="appended" RangeMin="" RangeMax="" offset="168" />
+ <DataArray type="UInt8" Name="types" format="appended" RangeMin="" RangeMax="" offset="228" />
+ </Cells>
+ </Piece>
+  </UnstructuredGrid>
+  <AppendedData encoding="base64">
+ _AQAAAACAAADAAAAAKAAAAA==eJxjYMAOZs0EgY/2OKSh4ANcHlX9B4L6sJuPru+DPXb1CHEA57gclQ==AQAAAACAAADQAAAALwAAAA==eJxjYIAARijNBKVZ0MSZ0eTZCehDl4eJs6LJ49LHxoAKYOoY0WiYOMx9ACDYAFA=AQAAAACAAAA4AAAAGwAAAA==eJxjYYAADijNA6UFoLQIlBaH0lJQGgAKmABuAQAAAACAAAAHAAAADQAAAA==eJzj4gICVlYAARAAPQ==
+  </AppendedData>
+</VTKFile>
+)";
+const std::string meshio_default = R"(<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian" compressor="vtkZLibDataCompressor">
+<!--This file was created by meshio v5.0.0-->
+<UnstructuredGrid>
+<Piece NumberOfPoints="5" NumberOfCells="2">
+<Points>
+<DataArray type="Float64" Name="Points" NumberOfComponents="3" format="binary">
+AQAAAACAAAB4AAAAFAAAAA==eJxjYMAHPtjjlSZaHpMGAPByBxs=
+</DataArray>
+</Points>
+<Cells>
+<DataArray type="Int64" Name="connectivity" format="binary">
+AQAAAACAAABAAAAAFwAAAA==eJxjYIAARijNBKWZ0cRZcMgDAAIIABE=
+</DataArray>
+<DataArray type="Int64" Name="offsets" format="binary">
+AQAAAACAAAAQAAAADgAAAA==eJxjYYAADigNAACQAA0=
+</DataArray>
+<DataArray type="Int64" Name="types" format="binary">
+AQAAAACAAAAQAAAADgAAAA==eJzjYoAALigNAAEAABU=
+</DataArray>
+</Cells>
+</Piece>
+</UnstructuredGrid>
+</VTKFile>
+)";
+const std::string meshio_mixed = R"(<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian" compressor="vtkZLibDataCompressor">
+<!--This file was created by meshio v5.0.0-->
+<UnstructuredGrid>
+<Piece NumberOfPoints="5" NumberOfCells="4">
+<Points>
+<DataArray type="Float64" Name="Points" NumberOfComponents="3" format="binary">
+AQAAAACAAAB4AAAAFAAAAA==eJxjYMAHPtjjlSZaHpMGAPByBxs=
+</DataArray>
+</Points>
+<Cells>
+<DataArray type="Int64" Name="connectivity" format="binary">
+AQAAAACAAABwAAAAIAAAAA==eJxjYIAARijNBKWZCYizMKACmDwjmjiMD9MHAAW4ABg=
+</DataArray>
+<DataArray type="Int64" Name="offsets" format="binary">
+AQAAAACAAAAgAAAAEwAAAA==eJxjYYAADijNDaX5oDQAAoAAJg==
+</DataArray>
+<DataArray type="Int64" Name="types" format="binary">
+AQAAAACAAAAgAAAAEQAAAA==eJzjYoAALijNikYDAALIAB8=
+</DataArray>
+</Cells>
+</Piece>
+</UnstructuredGrid>
+</VTKFile>
+)";
+
+}  // namespace
+
+TEST_CASE("VTU: as VTK and meshio write it by default, compressed and in base64") {
+  const TetMesh vtk = parse_vtu_tets(vtk_default, "m.vtu");
+  CHECK(vtk.vertices.rows() == 8);
+  CHECK(vtk.vertices.rowwise().norm().maxCoeff() == doctest::Approx(1.7916472867));
+  CHECK(vtk.tets.rows() == 5);
+  CHECK(parse_vtu_elements(vtk_default, "m.vtu").elements.rows() == 5);
+  const TetMesh meshio = parse_vtu_tets(meshio_default, "m.vtu");
+  CHECK(meshio.vertices == rows<Points3>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}));
+  CHECK(meshio.tets == rows<Tets>({0, 1, 2, 3, 1, 4, 2, 3}));
+  CHECK(parse_vtu_tets(meshio_mixed, "m.vtu").tets.rows() == 2);
+}
+
+TEST_CASE("VTU: what is written compressed is read back, in blocks of every size") {
+  SurfaceMesh mesh = crossed_grid(40, 40);
+  for (const bool base64 : {false, true}) {
+    const std::string text = format_vtu(mesh, {.vtu_base64 = base64, .vtu_compressed = true});
+    CHECK(text.size() < format_vtu(mesh, {.vtu_base64 = base64}).size() / 2);
+    const SurfaceMesh back = parse_vtu_surface(text, "m.vtu");
+    CHECK(back.vertices == mesh.vertices);
+    CHECK(back.triangles == mesh.triangles);
+  }
+  mesh.vertices.conservativeResize(8192, 3);  // whole blocks
+  mesh.vertices.bottomRows(8192 - 3281).setZero();
+  CHECK(parse_vtu_surface(format_vtu(mesh, {.vtu_compressed = true}), "m.vtu").vertices == mesh.vertices);
+}
+
+TEST_CASE("VTU: compressed data that lie are refused and take no memory") {
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string text = meshio_default;
+    REQUIRE(text.find(from) != std::string::npos);
+    return text.replace(text.find(from), from.size(), to);
+  };
+  for (const char* name : {"vtkLZ4DataCompressor", "vtkLZMADataCompressor"})
+    CHECK_THROWS_WITH_AS(
+        parse_vtu_tets(with("vtkZLibDataCompressor", name), "m.vtu"),
+        doctest::Contains((std::string("data compressed by '") + name + "' are not read").c_str()), Error);
+  // A bomb: 2^31 - 1 points, and blocks that claim to hold them.
+  CHECK_THROWS_WITH_AS(parse_vtu_tets(with("NumberOfPoints=\"5\"", "NumberOfPoints=\"2147483647\""), "m.vtu"),
+                       doctest::Contains("120 bytes for 6442450941 numbers"), Error);
+  const std::string header = "AQAAAACAAAB4AAAAFAAAAA==";
+  CHECK_THROWS_WITH_AS(parse_vtu_tets(with(header, "AQAAAACAAAD///8fFAAAAA=="), "m.vtu"),
+                       doctest::Contains("block 0 of 536870911 bytes, which is more than it can hold"),
+                       Error);
+  CHECK_THROWS_WITH_AS(parse_vtu_tets(with(header, "/////wCAAAB4AAAAFAAAAA=="), "m.vtu"),
+                       doctest::Contains("4294967295 compressed blocks are more than the file can hold"),
+                       Error);
+  CHECK_THROWS_WITH_AS(parse_vtu_tets(with(header, "AQAAAACAAAB3AAAAFAAAAA=="), "m.vtu"),
+                       doctest::Contains("block 0 is not compressed as zlib does"), Error);
+  CHECK_THROWS_WITH_AS(
+      parse_vtu_tets(with("eJxjYMAHPtjjlSZaHpMGAPByBxs=", "eJxjYMAHPtjjlSZaHpMGAPByBxs=AAAA"), "m.vtu"),
+      doctest::Contains("the DataArray goes on behind its 120 bytes"), Error);
+  CHECK_THROWS_WITH_AS(
+      parse_vtu_tets(with("eJxjYMAHPtjjlSZaHpMGAPByBxs=", "eJxjYMAHPtjjlSZaHpMGAP"), "m.vtu"),
+      doctest::Contains("the data end early or are not base64"), Error);
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace isostretch::mesh {
 namespace {
@@ -42,23 +43,24 @@ struct Group {
 
 }  // namespace
 
-Decoded decode_base64(std::string_view text) {
-  Decoded decoded;
-  decoded.bytes.reserve(text.size() / 4 * 3);
-  Group group;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::uint8_t value = values[static_cast<unsigned char>(text[i])];
-    if (value == blank) continue;
-    if (value == invalid || !group.take(value)) {
-      decoded.fault = i;
-      return decoded;
+bool Base64Stream::take(std::size_t count, std::string& bytes) {
+  bytes = std::move(pending_);
+  pending_.clear();
+  for (Group group; bytes.size() < count; group = {}) {
+    while (group.characters < 4) {
+      if (position_ == text_.size()) return false;
+      const std::uint8_t value = values[static_cast<unsigned char>(text_[position_++])];
+      if (value != blank && (value == invalid || !group.take(value))) return false;
     }
-    if (group.characters < 4) continue;
-    group.append_to(decoded.bytes);
-    group = {};
+    group.append_to(bytes);
   }
-  if (group.characters > 0) decoded.fault = text.size();
-  return decoded;
+  pending_ = bytes.substr(count);
+  bytes.resize(count);
+  return true;
+}
+
+bool Base64Stream::at_end() const {
+  return pending_.empty() && text_.find_first_not_of(" \t\r\n", position_) == std::string_view::npos;
 }
 
 void append_base64(std::string& text, std::string_view bytes) {

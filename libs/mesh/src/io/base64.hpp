@@ -6,14 +6,23 @@
 
 namespace isostretch::mesh {
 
-struct Decoded {
-  std::string bytes;
-  std::size_t fault = std::string_view::npos;  // first character that does not belong there
-};
+// Decodes from the front, no further than it has to. Blanks and line ends are skipped. Padding may be
+// followed by more: VTK encodes the header of an array and its data one by one.
+class Base64Stream {
+ public:
+  explicit Base64Stream(std::string_view text) : text_(text) {}
 
-// Blanks and line ends are skipped. Padding may be followed by more: some writers encode the parts of an
-// array one by one.
-Decoded decode_base64(std::string_view text);
+  // The next `count` bytes; false: the text ends before or holds what does not belong there.
+  bool take(std::size_t count, std::string& bytes);
+  // Nothing but blanks is left.
+  bool at_end() const;
+  std::size_t position() const { return position_; }  // of the text
+
+ private:
+  std::string_view text_;
+  std::size_t position_ = 0;
+  std::string pending_;  // decoded, not taken yet
+};
 
 void append_base64(std::string& text, std::string_view bytes);
 

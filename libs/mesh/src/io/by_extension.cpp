@@ -42,8 +42,12 @@ constexpr std::array<Entry<SurfaceReader>, 8> surface_readers = {{{".obj", read_
                                                                   {".mesh", read_medit_surface},
                                                                   {".vtk", read_vtk_surface},
                                                                   {".vtu", read_vtu_surface}}};
-constexpr std::array<Entry<TetReader>, 4> tet_readers = {
-    {{".msh", read_msh_tets}, {".mesh", read_medit_tets}, {".vtk", read_vtk_tets}, {".vtu", read_vtu_tets}}};
+constexpr std::array<Entry<TetReader>, 6> tet_readers = {{{".msh", read_msh_tets},
+                                                          {".mesh", read_medit_tets},
+                                                          {".vtk", read_vtk_tets},
+                                                          {".vtu", read_vtu_tets},
+                                                          {".node", read_tetgen_tets},
+                                                          {".ele", read_tetgen_tets}}};
 
 using ElementReader = ElementMesh (*)(const std::string&, const ReadOptions&);
 
@@ -59,14 +63,16 @@ ElementMesh from_surface(const std::string& path, const ReadOptions& options) {
   return {Shape::triangle, std::move(surface.vertices), surface.triangles, {}};
 }
 
-constexpr std::array<Entry<ElementReader>, 8> element_readers = {{{".msh", from_file<parse_msh_elements>},
-                                                                  {".mesh", from_file<parse_medit_elements>},
-                                                                  {".vtk", from_file<parse_vtk_elements>},
-                                                                  {".vtu", from_file<parse_vtu_elements>},
-                                                                  {".obj", from_surface<read_obj>},
-                                                                  {".off", from_surface<read_off>},
-                                                                  {".ply", from_surface<read_ply>},
-                                                                  {".stl", from_surface<read_stl>}}};
+constexpr std::array<Entry<ElementReader>, 10> element_readers = {{{".msh", from_file<parse_msh_elements>},
+                                                                   {".mesh", from_file<parse_medit_elements>},
+                                                                   {".vtk", from_file<parse_vtk_elements>},
+                                                                   {".vtu", from_file<parse_vtu_elements>},
+                                                                   {".node", read_tetgen_elements},
+                                                                   {".ele", read_tetgen_elements},
+                                                                   {".obj", from_surface<read_obj>},
+                                                                   {".off", from_surface<read_off>},
+                                                                   {".ply", from_surface<read_ply>},
+                                                                   {".stl", from_surface<read_stl>}}};
 
 // Those that have one encoding.
 template <class Mesh, void (*write)(const std::string&, const Mesh&)>

@@ -8,14 +8,18 @@
 namespace isostretch::mesh {
 
 void ElementLabels::add(const ElementLabel& label) {
-  const int element = static_cast<int>(numbers_.size());
+  const int element = static_cast<int>(count_++);
+  if (numbers_.empty() && label.number == 0 && label.groups.empty()) return;  // nothing said so far
+  numbers_.resize(static_cast<std::size_t>(element));
+  entities_.resize(static_cast<std::size_t>(element));
   numbers_.push_back(label.number);
   entities_.push_back(label.entity);
   for (const std::int64_t group : label.groups) groups_.emplace_back(group, element);
 }
 
 std::vector<char> ElementLabels::drop_copies(const Compare& compare, bool for_groups, std::string& fault) {
-  std::vector<int> original(numbers_.size());
+  if (numbers_.empty()) return std::vector<char>(count_, 1);
+  std::vector<int> original(count_);
   std::iota(original.begin(), original.end(), 0);
   mark(compare, original, fault);
   if (for_groups) mark_for_groups(compare, original);

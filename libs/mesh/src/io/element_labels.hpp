@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -36,7 +37,8 @@ class ElementLabels {
   void mark_for_groups(const Compare& compare, std::vector<int>& original) const;
   std::vector<char> keep_originals(const std::vector<int>& original);
 
-  std::vector<std::int64_t> numbers_, entities_;
+  std::size_t count_ = 0;
+  std::vector<std::int64_t> numbers_, entities_;      // empty until an element has a label
   std::vector<std::pair<std::int64_t, int>> groups_;  // number and element
 };
 

@@ -92,7 +92,9 @@ void ElementList::add(CellKind kind, const std::vector<int>& nodes, const Place&
 }
 
 void ElementList::skip(CellKind kind, long count) {
-  counts_[normalized(kind)] += count;
+  // Elements of a kind follow each other.
+  if (!last_count_ || kind != last_kind_) last_kind_ = kind, last_count_ = &counts_[normalized(kind)];
+  *last_count_ += count;
 }
 
 void ElementList::name_group(int dimension, std::int64_t number, std::string_view name) {

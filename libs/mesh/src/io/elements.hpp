@@ -76,6 +76,8 @@ class ElementList {
   ElementLabels face_labels_;
   std::array<List, 6> lists_;  // by Shape
   std::map<CellKind, long> counts_;
+  CellKind last_kind_;
+  long* last_count_ = nullptr;  // into counts_, where moving leaves it
   std::map<std::pair<int, std::int64_t>, std::string> group_names_;
 };
 

@@ -35,7 +35,8 @@ std::vector<int> cut(const int* corners, int count, const std::vector<double>& v
 }  // namespace
 
 std::string FaceList::fault(std::size_t corners) const {
-  return corners >= 3 || leave_out_ ? std::string() : "face with " + std::to_string(corners) + " vertices";
+  return corners >= 3 || leave_out_ ? std::string()
+                                    : "face with " + std::to_string(corners) + " vertices" + advice_;
 }
 
 void FaceList::add(const std::vector<int>& corners, const std::vector<int>& uv, const Place& place) {
@@ -51,7 +52,7 @@ void FaceList::add(const std::vector<int>& corners, const std::vector<int>& uv, 
 }
 
 void FaceList::keep(const std::vector<char>& keep) {
-  FaceList kept({.leave_out_faces = leave_out_});
+  FaceList kept({.leave_out_faces = leave_out_, .face_advice = advice_});
   std::size_t polygon = 0;
   for (std::size_t f = 0; f < count(); ++f) {
     const bool is_polygon = size(f) > 3;
@@ -83,7 +84,7 @@ SurfaceMesh FaceList::surface(const std::vector<double>& vertices, const std::ve
       if (!leave_out_)
         Place{file.contents, file.name, positions_[polygon], file.by_byte}.fail(
             "face " + std::to_string(f) + " of " + std::to_string(size(f)) +
-            " vertices crosses itself or has no area: it cannot be cut into triangles");
+            " vertices crosses itself or has no area: it cannot be cut into triangles" + advice_);
       ++uncut;
     }
     polygon += is_polygon ? 1 : 0;
@@ -97,6 +98,10 @@ SurfaceMesh FaceList::surface(const std::vector<double>& vertices, const std::ve
     origin->corner.insert(origin->corner.end(), places.begin(), places.end());
   }
   report_left_out(file, uncut);
+  const long cut_ones = static_cast<long>(polygon) - uncut;
+  if (cut_ones > 0 && !origin)
+    log(LogLevel::info, file.name + ": " + std::to_string(cut_ones) +
+                            " face(s) of more than three vertices cut into triangles");
   if (triangles.empty()) file.fail("no faces");
   SurfaceMesh mesh{to_rows<double, 3>(vertices), to_rows<int, 3>(triangles), {}, {}};
   if (has_uv()) mesh.uv = to_rows<double, 2>(uv), mesh.uv_triangles = to_rows<int, 3>(uv_triangles);

@@ -27,7 +27,8 @@ struct CornerMap {
 // The faces of a file as it has them; polygons become triangles once the vertices are known.
 class FaceList {
  public:
-  explicit FaceList(const ReadOptions& options) : leave_out_(options.leave_out_faces) {}
+  explicit FaceList(const ReadOptions& options)
+      : leave_out_(options.leave_out_faces), advice_(options.face_advice) {}
 
   // Corners from 0, and as many texture coordinates or none. What is no face (less than three corners) is an
   // Error at `place`, or left out if the options say so.
@@ -55,6 +56,7 @@ class FaceList {
   void report_left_out(const Place& file, long polygons) const;
 
   bool leave_out_;
+  std::string advice_;
   std::vector<int> starts_{0};
   std::vector<int> corners_, uv_;
   std::vector<std::size_t> positions_;  // of polygons, in the file

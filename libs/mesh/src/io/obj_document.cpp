@@ -89,6 +89,7 @@ class Writer {
     for (const Range& range : statements_.lines) line(range);
     for (std::size_t f = 0; f < statements_.faces.size(); ++f) face(f);
     add_coordinates();
+    result_.names_materials = statements_.materials;
     carry_out();
     return std::move(result_);
   }

@@ -39,6 +39,8 @@ class ObjReader {
       record(begin, texture_coordinate(), &ObjStatements::texture);
     } else if (keyword == "f") {
       face(begin);
+    } else if (keyword == "mtllib" && statements_) {
+      statements_->materials = true;
     } else if (keyword == "l" && statements_) {
       record(begin, source_.drop_words(), &ObjStatements::lines);
     }

@@ -19,6 +19,7 @@ struct ObjStatements {
   std::vector<Range> left_out;  // faces that did not
   std::vector<Range> texture;   // vt
   std::vector<Range> lines;     // l
+  bool materials = false;       // mtllib
   CornerMap corners;            // of the triangles of the mesh
 };
 

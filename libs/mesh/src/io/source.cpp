@@ -142,8 +142,18 @@ double Source::explained_coordinate(const char* what) {
   return parsed.value;
 }
 
+// The usual one has no plus sign and ends where a blank begins.
 std::int64_t Source::text_integer(const char* what) {
   if (empty()) fail(std::string("missing ") + what);
+  const char* const end_of_file = contents_.data() + contents_.size();
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(contents_.data() + position_, end_of_file, value);
+  if (error != std::errc() || (end != end_of_file && !is_space(*end))) return explained_integer(what);
+  position_ = static_cast<std::size_t>(end - contents_.data());
+  return value;
+}
+
+std::int64_t Source::explained_integer(const char* what) {
   const std::string_view text = peek_word();
   const Parsed<std::int64_t> parsed = parse_integer(text);
   if (!parsed.fault.empty()) fail(std::string(what) + " " + parsed.fault);

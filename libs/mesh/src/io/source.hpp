@@ -74,6 +74,7 @@ class Source {
   std::size_t joint(std::size_t position) const;
   std::string_view peek_word() const;
   double explained_coordinate(const char* what);
+  std::int64_t explained_integer(const char* what);
   const char* number_bytes(Scalar type, const char* what);
 
   std::string_view contents_;

@@ -103,7 +103,7 @@ class StlReader {
     if (count > 3) triangles = triangulated(points_of_facet());
     if (triangles.empty() && !options_.leave_out_faces)
       source_.fail("facet with " + std::to_string(count) + " vertices" +
-                   (count > 3 ? ", which crosses itself or has no area" : ""));
+                   (count > 3 ? ", which crosses itself or has no area" : "") + options_.face_advice);
     left_out_ += triangles.empty() ? 1 : 0;
     for (const int corner : triangles)
       for (std::size_t i = 0; i < 3; ++i)

@@ -15,8 +15,8 @@ namespace isostretch::mesh {
 struct VtuCoding {
   bool big_endian = false;
   bool has_byte_order = false;
-  bool compressed = false;
-  Scalar header = Scalar::uint32;  // the number of bytes in front of an array
+  std::string_view compressor;     // empty: none
+  Scalar header = Scalar::uint32;  // of numbers of bytes in front of an array
 };
 
 // A DataArray as its tag describes it, not read yet.
@@ -38,8 +38,11 @@ class VtuArrays {
   VtuArrays(std::string_view contents, const std::string& name) : contents_(contents), name_(name) {}
 
   void set_coding(const VtuCoding& coding) { coding_ = coding; }
-  // Where raw data begin, behind the underscore.
-  void set_appended(std::size_t start) { appended_ = start; }
+  // Where appended data begin, behind the underscore, raw or in base64.
+  void set_appended(std::size_t start, bool base64) {
+    appended_ = start;
+    appended_base64_ = base64;
+  }
 
   // Three coordinates each.
   std::vector<double> points(const VtuArray& array, std::int64_t count);
@@ -48,32 +51,32 @@ class VtuArrays {
   Place place(std::size_t position) const { return {contents_, name_, position, false}; }
 
  private:
-  struct Bytes {
-    std::string_view bytes;
-    Place place;
-  };
+  // The bytes of one array, taken from the front.
+  class Bytes;
 
   Scalar type_of(const VtuArray& array) const;
   std::string_view text_of(const VtuArray& array) const;
   // Of a text array, and nothing but these.
   Source text_source(const VtuArray& array) const;
   void require_end(Source& source) const;
-  // `decoded` keeps what was in base64.
-  Bytes bytes_of(const VtuArray& array, Scalar type, std::int64_t count, std::string& decoded);
-  Bytes decoded_bytes(const VtuArray& array, std::string& decoded) const;
-  Bytes appended_bytes(const VtuArray& array) const;
+  // The numbers of the array as they are in memory; `bytes` keeps them.
+  std::string_view numbers_of(const VtuArray& array, Scalar type, std::int64_t count, std::string& bytes);
+  Bytes bytes_of(const VtuArray& array) const;
+  Place data_place(const VtuArray& array) const;
+  std::size_t appended_start(const VtuArray& array) const;
   void require_readable(const VtuArray& array) const;
+  std::uint64_t header_number(Bytes& bytes) const;
+  void inflate(Bytes& bytes, std::uint64_t size, std::string& numbers) const;
   // Arrays that share their bytes would make a small file a large mesh.
   void require_apart(const Bytes& bytes);
-  // Takes the header off the front; `exact`: nothing may follow the array.
-  void take_header(Bytes& bytes, bool exact) const;
   bool swap() const { return coding_.big_endian != (std::endian::native == std::endian::big); }
 
   std::string_view contents_;
   const std::string& name_;
   VtuCoding coding_;
   std::size_t appended_ = 0;
-  std::size_t appended_used_ = 0;  // bytes, of all arrays so far
+  bool appended_base64_ = false;
+  std::size_t appended_used_ = 0;  // bytes of the file, of all arrays so far
 };
 
 }  // namespace isostretch::mesh

@@ -1,3 +1,4 @@
+#include "characters.hpp"
 #include "file.hpp"
 #include "number.hpp"
 #include "vtk_cells.hpp"
@@ -62,7 +63,7 @@ class VtuReader {
       fail(tag.start, "unknown header_type " + quoted(header));
     coding.has_byte_order = !order.empty();
     coding.big_endian = order == "BigEndian";
-    coding.compressed = !tag.attribute("compressor").empty();
+    coding.compressor = tag.attribute("compressor");
     coding.header = header == "UInt64" ? Scalar::uint64 : Scalar::uint32;
     arrays_.set_coding(coding);
   }
@@ -76,7 +77,7 @@ class VtuReader {
   }
 
   std::int64_t number(const XmlTag& tag, const char* name) const {
-    const std::string_view text = tag.attribute(name);
+    const std::string_view text = trimmed(tag.attribute(name));  // VTK fills up with blanks
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || value < 0)
@@ -110,13 +111,13 @@ class VtuReader {
   // What follows is not XML any more.
   void appended(const XmlTag& tag) {
     appended_seen_ = true;
-    if (tag.attribute("encoding") != "raw")
-      fail(tag.start,
-           "appended data of encoding " + quoted(tag.attribute("encoding")) + ": only raw is read");
+    const std::string_view encoding = tag.attribute("encoding");
+    if (encoding != "raw" && encoding != "base64")
+      fail(tag.start, "appended data of encoding " + quoted(encoding) + ", which is neither raw nor base64");
     const std::size_t start = contents_.find_first_not_of(" \t\r\n", tag.end);
     if (start == std::string_view::npos || contents_[start] != '_')
       fail(tag.start, "appended data do not begin with an underscore");
-    arrays_.set_appended(start + 1);
+    arrays_.set_appended(start + 1, encoding == "base64");
   }
 
   void add(const Piece& piece) {

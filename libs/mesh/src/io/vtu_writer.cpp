@@ -3,10 +3,13 @@
 #include "output.hpp"
 #include "vtk_cells.hpp"
 #include "writable.hpp"
+#include "zlib.hpp"
 
 #include <isostretch/mesh/io.hpp>
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace isostretch::mesh {
 namespace {
@@ -15,7 +18,9 @@ namespace {
 class VtuWriter {
  public:
   VtuWriter(const WriteOptions& options)
-      : binary_(options.encoding == Encoding::binary), base64_(options.vtu_base64) {}
+      : binary_(options.encoding == Encoding::binary),
+        base64_(options.vtu_base64),
+        compressed_(binary_ && options.vtu_compressed) {}
 
   template <class Elements>
   std::string write(const Points3& vertices, const Elements& elements, int type) {
@@ -40,8 +45,10 @@ class VtuWriter {
     out_ =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
         "byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-        std::to_string(points) + "\" NumberOfCells=\"" + std::to_string(cells) + "\">\n";
+        "header_type=\"UInt64\"" +
+        std::string(compressed_ ? " compressor=\"vtkZLibDataCompressor\"" : "") +
+        ">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" +
+        std::to_string(cells) + "\">\n";
   }
 
   template <class Value>
@@ -50,7 +57,8 @@ class VtuWriter {
     out_ += std::string("<DataArray type=\"") + type + "\" Name=\"" + name + '"' + attributes;
     if (binary_ && !base64_) {
       out_ += " format=\"appended\" offset=\"" + std::to_string(appended_.size()) + "\"/>\n";
-      append_array(appended_, count, value);
+      const Encoded array = encoded(count, value);
+      appended_ += array.header + array.data;
       return;
     }
     out_ += binary_ ? " format=\"binary\">\n" : " format=\"ascii\">\n";
@@ -61,17 +69,41 @@ class VtuWriter {
     out_ += "</DataArray>\n";
   }
 
+  struct Encoded {
+    std::string header, data;
+  };
+
   template <class Value>
-  static void append_array(std::string& bytes, Eigen::Index count, const Value& value) {
-    append_bytes(bytes, static_cast<std::uint64_t>(count) * sizeof(value(0)));
-    for (Eigen::Index i = 0; i < count; ++i) append_bytes(bytes, value(i));
+  Encoded encoded(Eigen::Index count, const Value& value) const {
+    Encoded array;
+    for (Eigen::Index i = 0; i < count; ++i) append_bytes(array.data, value(i));
+    if (compressed_) return compressed(array.data);
+    append_bytes(array.header, std::uint64_t{array.data.size()});
+    return array;
+  }
+
+  // In blocks as large as VTK makes them.
+  static Encoded compressed(std::string_view bytes) {
+    constexpr std::size_t block = 32768;
+    Encoded array;
+    std::string sizes;
+    for (std::size_t i = 0; i < bytes.size(); i += block) {
+      const std::string stream = deflated(bytes.substr(i, block));
+      append_bytes(sizes, std::uint64_t{stream.size()});
+      array.data += stream;
+    }
+    append_bytes(array.header, std::uint64_t{sizes.size() / sizeof(std::uint64_t)});
+    append_bytes(array.header, std::uint64_t{block});
+    append_bytes(array.header, std::uint64_t{bytes.size() % block});
+    array.header += sizes;
+    return array;
   }
 
   template <class Value>
   void append_encoded(Eigen::Index count, const Value& value) {
-    std::string bytes;
-    append_array(bytes, count, value);
-    append_base64(out_, bytes);
+    const Encoded array = encoded(count, value);
+    if (compressed_) append_base64(out_, array.header);
+    append_base64(out_, compressed_ ? array.data : array.header + array.data);
     out_ += '\n';
   }
 
@@ -86,6 +118,7 @@ class VtuWriter {
 
   bool binary_;
   bool base64_;
+  bool compressed_;
   std::string out_;
   std::string appended_;
 };

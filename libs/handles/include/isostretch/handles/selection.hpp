@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,12 +16,24 @@ namespace isostretch::handles {
 // In 2D the last coordinate is not looked at.
 using Point = Eigen::Vector3d;
 
+/// Nodes that a file gives a number, and perhaps a name, in common.
+struct NodeGroup {
+  std::int64_t number = 0;
+  std::string name;  ///< empty where there is none
+  std::vector<int> nodes;
+};
+
 // What is selected from: the nodes of a body at rest.
 struct Nodes {
   int dim = 3;
-  Vector positions;                                // dim entries a node
+  Vector positions;  // dim entries a node
+  /// Of every node whether it belongs to an element; empty: all do. Others are not selected, and are not
+  /// looked at for extents and distances.
+  std::vector<bool> in_elements;
+  std::vector<NodeGroup> groups;
   std::vector<std::array<int, 2>> boundary_edges;  // between nodes on the boundary; patches alone use them
 
+  bool counts(int node) const { return in_elements.empty() || in_elements[static_cast<std::size_t>(node)]; }
   int count() const { return static_cast<int>(positions.size()) / dim; }
   Point at(int node) const {
     Point point = Point::Zero();
@@ -70,10 +84,20 @@ struct Segment {
   double distance = 0;
 };
 
-using Selection = std::variant<All, Box, Sphere, List, Slab, Nearest, Patch, Segment>;
+/// The nodes of a group, by its name or, where no group has that name, by its number.
+struct Group {
+  std::string name;
+};
+
+using Selection = std::variant<All, Box, Sphere, List, Slab, Nearest, Patch, Segment, Group>;
+
+/// The index of a group by its name or number. Throws Error, beginning with `name`, that lists those there
+/// are.
+std::size_t find_group(const std::string& wanted, const std::vector<NodeGroup>& groups,
+                       const std::string& name);
 
 // The nodes selected, ascending, each once. Throws Error, beginning with `name`, when there are none, for a
-// node out of range, and for sizes, axes and counts that make no sense.
+// node out of range, for a group that there is not, and for sizes, axes and counts that make no sense.
 std::vector<int> select(const Selection& selection, const Nodes& nodes, const std::string& name);
 
 }  // namespace isostretch::handles

@@ -13,6 +13,8 @@ struct ReadOptions {
   /// Faces that are none (of less than three vertices, or polygons that cross themselves or have no area) are
   /// left out, and the log told how many; otherwise they are refused.
   bool leave_out_faces = false;
+  /// Ends the message about such a face: how the user has it left out.
+  std::string face_advice = {};
   // OBJ, PLY: take texture coordinates. Either every face has them or none; false ignores them.
   bool read_uv = true;
   // STL, which knows corners only: equal corners become one vertex. Otherwise every triangle has three of its
@@ -39,7 +41,7 @@ struct ReadOptions {
 
 // By the extension, in any case: .obj .off .ply .stl .msh .mesh .vtk .vtu.
 SurfaceMesh read_surface(const std::string& path, const ReadOptions& options = {});
-// .msh .mesh .vtk .vtu.
+// .msh .mesh .vtk .vtu .node .ele.
 TetMesh read_tets(const std::string& path, const ReadOptions& options = {});
 
 enum class Encoding { text, binary };
@@ -49,6 +51,7 @@ struct WriteOptions {
   Encoding encoding = Encoding::binary;  // PLY, MSH, VTK, VTU; other formats have one encoding
   MshVersion msh_version = MshVersion::v4_1;
   bool vtu_base64 = false;  // binary VTU: base64 in every array instead of raw bytes at the end of the file
+  bool vtu_compressed = false;  ///< binary VTU: arrays compressed by zlib
 };
 
 // Writers keep every bit: shortest decimal numbers that read back the same, or binary doubles. The file
@@ -147,8 +150,9 @@ void write_vtk(const std::string& path, const TetMesh& mesh, const WriteOptions&
 std::string format_vtk(const SurfaceMesh& mesh, const WriteOptions& options = {});
 std::string format_vtk(const TetMesh& mesh, const WriteOptions& options = {});
 
-// VTK's XML for unstructured grids: text, base64 and raw appended data; pieces are joined. Compressed arrays
-// are refused.
+// VTK's XML for unstructured grids: text, base64 in the arrays, and appended data, raw or in base64; lengths
+// of 32 and 64 bits; arrays compressed by zlib, as VTK and meshio do by default. Other compressors are
+// refused by name. Pieces are joined.
 SurfaceMesh read_vtu_surface(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_vtu_surface(std::string_view contents, const std::string& name,
                               const ReadOptions& options = {});
@@ -161,6 +165,25 @@ void write_vtu(const std::string& path, const SurfaceMesh& mesh, const WriteOpti
 void write_vtu(const std::string& path, const TetMesh& mesh, const WriteOptions& options = {});
 std::string format_vtu(const SurfaceMesh& mesh, const WriteOptions& options = {});
 std::string format_vtu(const TetMesh& mesh, const WriteOptions& options = {});
+
+/// The two files of a tetrahedral mesh of TetGen in memory, and their names for messages.
+struct TetgenFiles {
+  std::string_view node;
+  const std::string& node_name;
+  std::string_view ele;
+  const std::string& ele_name;
+};
+
+/// Reads TetGen's .node and .ele, counting from 0 or 1, with comments; attributes of nodes and markers are
+/// skipped, and the first attribute of a tetrahedron is its group. Nodes of second order are put in VTK's
+/// order by where they lie. Reading only. `path` is either of the two files, the other one is beside it.
+TetMesh read_tetgen_tets(const std::string& path, const ReadOptions& options = {});
+/// The same from memory.
+TetMesh parse_tetgen_tets(const TetgenFiles& files, const ReadOptions& options = {});
+/// Reads the elements of a body, see read_elements().
+ElementMesh read_tetgen_elements(const std::string& path, const ReadOptions& options = {});
+/// The same from memory.
+ElementMesh parse_tetgen_elements(const TetgenFiles& files, const ReadOptions& options = {});
 
 struct GlbOptions {
   // Area-weighted normals of the vertices of the mesh, smooth across texture seams; where the triangles of a

@@ -12,9 +12,10 @@ namespace isostretch::mesh {
 /// Text of an OBJ file with new texture coordinates, and what could not be kept in it.
 struct ObjText {
   std::string text;
-  int divided_faces = 0;     ///< polygons written as triangles: texture coordinates differ inside them
-  int removed_faces = 0;     ///< faces of which no triangle was to be written
-  int lines_without_uv = 0;  ///< statements l that lost their texture coordinates
+  int divided_faces = 0;         ///< polygons written as triangles: texture coordinates differ inside them
+  int removed_faces = 0;         ///< faces of which no triangle was to be written
+  bool names_materials = false;  ///< statements mtllib name files, sought beside this one
+  int lines_without_uv = 0;      ///< statements l that lost their texture coordinates
 };
 
 /// An OBJ file that is kept as it stands beside the mesh read from it, so that it can be written again with

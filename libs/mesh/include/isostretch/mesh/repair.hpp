@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/mesh/element_mesh.hpp>
 #include <isostretch/mesh/types.hpp>
 
 #include <string>
@@ -41,6 +42,23 @@ struct RepairReport {
 // uv is carried along. Which triangles are turned depends on geometry, not on their order. Throws Error when
 // an index is out of range. See check.hpp for what is left to find.
 RepairReport repair(SurfaceMesh& mesh, const RepairOptions& options = {});
+
+/// What was changed in elements, or would have to be, in the numbering of the input.
+struct ElementRepairReport {
+  std::vector<int> duplicates;  ///< elements with the vertices of an earlier one, in any order
+  std::vector<int> inverted;    ///< elements of negative volume, or of negative area in the plane z = 0
+
+  /// Whether there is nothing to repair.
+  bool clean() const { return duplicates.empty() && inverted.empty(); }
+};
+
+/// Finds elements that are there twice, and those that are numbered the other way round. Flat elements are
+/// taken as lying in the plane z = 0. Throws Error when an index is out of range.
+ElementRepairReport find_faults(const ElementMesh& mesh);
+
+/// Removes the duplicates and turns the inverted elements, in the groups too, and says what find_faults() had
+/// found. Throws Error when an index is out of range.
+ElementRepairReport repair(ElementMesh& mesh);
 
 // A line for each kind of change, naming elements; ends with a newline unless empty.
 std::string to_text(const RepairReport& report);
