@@ -37,7 +37,8 @@ std::string draw_layout(const Result& r) {
   return figures::draw_solve(
       {.title = r.options.model.filename().string() + ", " + r.energy.name(),
        .subtitle = subtitle(r),
-       .layout = {r.layout.uv, r.domain.open().triangles, values, r.layout.flipped, pinned, r.layout.packed},
+       .layout = {r.layout.uv, r.domain.open().triangles, values, r.layout.flipped, pinned,
+                  r.options.units() == UvUnits::square, &r.layout.overlap.triangles},
        .areas = r.start.rest.weights,
        .trace = r.solution.summary.trace,
        .chart_of_row = r.solution.chart_of_row});

@@ -13,6 +13,7 @@ namespace {
 
 constexpr Eigen::Index few_triangles = 6000;  // more, and edges would hide the colours
 constexpr std::size_t few_flips = 200;
+constexpr Color hatch_color{0.05, 0.05, 0.05};
 
 // uv to pixels: the layout centred in the box, v upwards.
 class Fit {
@@ -35,23 +36,30 @@ class Fit {
   Point middle_;
 };
 
-void fill(Raster& raster, const LayoutData& data, const Fit& fit, const Box& box, Eigen::Index t,
-          Color color) {
-  double corners[6];
+// x and y of three corners in turn, in pixels of the raster.
+struct Corners {
+  double xy[6];
+};
+
+Corners corners_of(const LayoutData& data, const Fit& fit, const Box& box, Eigen::Index t) {
+  Corners corners{};
   for (int c = 0; c < 3; ++c) {
     const Point p = fit(data.uv.row(data.triangles(t, c)));
-    corners[2 * c] = p.x - box.x;
-    corners[2 * c + 1] = p.y - box.y;
+    corners.xy[2 * c] = p.x - box.x;
+    corners.xy[2 * c + 1] = p.y - box.y;
   }
-  raster.fill_triangle(corners, color);
+  return corners;
 }
 
 Raster rasterize(const LayoutData& data, const Fit& fit, const Box& box, const DistortionScale& scale) {
   Raster raster(static_cast<int>(box.width), static_cast<int>(box.height));
   for (Eigen::Index t = 0; t < data.triangles.rows(); ++t)
-    fill(raster, data, fit, box, t,
-         distortion_color(scale.color_value(data.distortions[static_cast<std::size_t>(t)])));
-  for (const int t : data.flipped) fill(raster, data, fit, box, t, flipped_color);
+    raster.fill_triangle(corners_of(data, fit, box, t).xy,
+                         distortion_color(scale.color_value(data.distortions[static_cast<std::size_t>(t)])));
+  for (const int t : data.flipped) raster.fill_triangle(corners_of(data, fit, box, t).xy, flipped_color);
+  if (data.overlapping != nullptr)
+    for (const int t : *data.overlapping)
+      raster.hatch_triangle(corners_of(data, fit, box, t).xy, hatch_color);
   return raster;
 }
 
