@@ -96,11 +96,11 @@ void draw_ticks(Canvas& canvas, const Box& bar, const DistortionScale& scale) {
     const double y = bar.bottom() - bar.height * scale.axis.position(tick.value);
     if (y > lowest_free) continue;
     canvas.line({bar.x - 5, y}, {bar.x, y});
-    canvas.text({bar.x - 8, y}, tick.label, {.across = Align::end});
-    lowest_free = y - 16;
+    canvas.text({bar.x - 8, y}, tick.label, {.size = 20, .across = Align::end});
+    lowest_free = y - 24;
   }
   if (scale.above)
-    canvas.text({bar.x + 0.5 * bar.width, bar.y - 9}, "▲", {.size = 10, .across = Align::middle});
+    canvas.text({bar.x + 0.5 * bar.width, bar.y - 12}, "▲", {.size = 16, .across = Align::middle});
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ void draw_layout(Canvas& canvas, const Box& box, const LayoutData& data, const D
 
 void draw_distortion_scale(Canvas& canvas, const Box& box, const DistortionScale& scale,
                            const std::string& whole) {
-  const Box bar{box.x + 52, box.y, 20, box.height};
+  const Box bar{box.x + 60, box.y, 20, box.height};
   constexpr int steps = 256;
   for (int i = 0; i < steps; ++i) {
     const double top = std::round(bar.bottom() - bar.height * (i + 1) / steps);
@@ -140,8 +140,8 @@ void draw_distortion_scale(Canvas& canvas, const Box& box, const DistortionScale
     canvas.fill({left, bar.bottom() - step * static_cast<double>(i + 1) + 0.5, room * scale.shares[i] / most,
                  step - 1},
                 {0.55, 0.58, 0.62});
-  canvas.text({box.right(), bar.bottom() + 14}, "longest bar: " + percent(most) + " of the " + whole,
-              {.size = 11, .color = {0.35, 0.35, 0.35}, .across = Align::end});
+  canvas.text({box.right(), bar.bottom() + 20}, "longest: " + percent(most) + " of " + whole,
+              {.size = 17, .color = {0.35, 0.35, 0.35}, .across = Align::end});
 }
 
 }  // namespace isostretch::app::figures
