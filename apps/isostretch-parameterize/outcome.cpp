@@ -11,11 +11,6 @@ std::string counted(std::size_t count, const std::string& what) {
   return with_thousands(static_cast<long long>(count)) + " " + what + (count == 1 ? "" : "s");
 }
 
-// Two digits that count, and zero for zero alone.
-std::string percent(double share) {
-  return formatted("%.2g %%", 100 * share);
-}
-
 std::string flips_text(const Result& r) {
   const std::size_t flipped = r.layout.flipped.size();
   if (flipped == 0) return "no triangle is turned over";
@@ -25,12 +20,13 @@ std::string flips_text(const Result& r) {
 std::string overlap_text(const Result& r) {
   const mesh::Overlap& overlap = r.layout.overlap;
   if (overlap.triangles.empty()) return "nothing overlaps";
-  return percent(overlap.share()) + " of the layout's area lies under more than one triangle";
+  return share_text(overlap.share()) + " of the layout's area lies under more than one triangle";
 }
 
 std::string stretch_text(const Result& r) {
   const double worst = r.solution.worst_distortion;
   if (!std::isfinite(worst)) return "some lengths shrink to nothing or are turned over";
+  if (worst < 1.005) return "lengths are kept";
   return formatted("no length changes by more than a factor of %.3g", worst);
 }
 
@@ -43,6 +39,10 @@ std::string end_text(const Result& r) {
 }
 
 }  // namespace
+
+std::string share_text(double share) {
+  return formatted(share < 0.095 ? "%.2g %%" : "%.0f %%", 100 * share);
+}
 
 std::string outcome(const Result& r) {
   return counted(r.start.charts.size(), "chart") + "; " + flips_text(r) + "; " + overlap_text(r) + "; " +

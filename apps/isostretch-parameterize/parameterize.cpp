@@ -12,6 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <future>
+
 #include <isostretch/core/timer.hpp>
 #include <isostretch/mesh/io.hpp>
 
@@ -25,7 +27,9 @@ Pictures write(OutputFolder& folder, const Result& result) {
   folder.add("trace.csv", trace_text(result));
   if (options.glb) folder.add(stem + "_uv.glb", textured_glb(result));
   if (!options.picture) return {};
-  Pictures pictures{draw_model(result), draw_layout(result)};
+  auto layout = std::async(std::launch::async, [&] { return draw_layout(result); });
+  Pictures pictures{draw_model(result), {}};
+  pictures.layout = layout.get();
   folder.add("layout.png", pictures.layout);
   folder.add("model.png", pictures.model);
   return pictures;

@@ -1,5 +1,6 @@
 #include "common/figures/solve_figure.hpp"
 #include "common/formatted.hpp"
+#include "outcome.hpp"
 #include "report.hpp"
 
 namespace isostretch::app::parameterize {
@@ -12,21 +13,16 @@ std::vector<double> distortions(const std::vector<double>& stretches) {
   return values;
 }
 
-std::string size_text(const Result& r) {
-  std::string text = with_thousands(r.domain.open().triangles.rows()) + " triangles";
-  if (r.start.charts.size() > 1) text += " in " + std::to_string(r.start.charts.size()) + " charts";
-  if (r.layout.packed) text += formatted(", %.0f %% of the unit square", 100 * r.layout.coverage);
-  return text;
-}
-
+// What the picture itself shows, in words; more is in the report.
 std::string subtitle(const Result& r) {
-  const newton::Summary& s = r.solution.summary;
-  return size_text(r) +
-         formatted(
-             "   ·   %s after %d iterations, %.3g s   ·   energy %.10g   ·   |gradient|∞ %.2e   ·   "
-             "%zu flipped%s",
-             std::string(newton::status_name(s.status)).c_str(), s.iterations, s.seconds.total, s.energy,
-             s.gradient_inf_norm, r.layout.flipped.size(), r.layout.flipped.empty() ? "" : " (blue)");
+  std::string text = with_thousands(r.domain.open().triangles.rows()) + " triangles in " +
+                     std::to_string(r.start.charts.size()) +
+                     (r.start.charts.size() == 1 ? " chart" : " charts");
+  if (r.layout.packed) text += formatted(", %.0f %% of the square", 100 * r.layout.coverage);
+  if (!r.layout.overlap.triangles.empty())
+    text += "   ·   " + share_text(r.layout.overlap.share()) + " lies under more than one triangle (hatched)";
+  if (!r.layout.flipped.empty()) text += formatted("   ·   %zu flipped (blue)", r.layout.flipped.size());
+  return text + (r.solution.summary.converged() ? "   ·   converged" : "   ·   not converged");
 }
 
 }  // namespace
@@ -37,7 +33,8 @@ std::string draw_layout(const Result& r) {
   return figures::draw_solve(
       {.title = r.options.model.filename().string() + ", " + r.energy.name(),
        .subtitle = subtitle(r),
-       .layout = {r.layout.uv, r.domain.open().triangles, values, r.layout.flipped, pinned, r.layout.packed},
+       .layout = {r.layout.uv, r.domain.open().triangles, values, r.layout.flipped, pinned,
+                  r.options.units() == UvUnits::square, &r.layout.overlap.triangles},
        .areas = r.start.rest.weights,
        .trace = r.solution.summary.trace,
        .chart_of_row = r.solution.chart_of_row});

@@ -12,10 +12,9 @@ namespace isostretch::app::parameterize {
 namespace {
 
 std::string verdict_box(const Result& r) {
-  const bool good = exit_code(r) == ExitCode::success;
-  std::string text = html::escaped(html::sentence(outcome(r)));
-  if (!good) text = html::escaped(html::sentence(verdict(r))) + "<br>\n" + text;
-  return html::block("p", text, good ? "class=\"verdict\"" : "class=\"verdict bad\"");
+  const std::string what = html::block("p", html::escaped(html::sentence(outcome(r))), "class=\"verdict\"");
+  if (exit_code(r) == ExitCode::success) return what;
+  return html::block("p", html::escaped(html::sentence(verdict(r))), "class=\"verdict bad\"") + what;
 }
 
 std::string warning_list(const Json& summary) {

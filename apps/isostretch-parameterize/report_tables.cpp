@@ -2,6 +2,7 @@
 
 #include "common/formatted.hpp"
 #include "common/html.hpp"
+#include "outcome.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -56,12 +57,10 @@ std::string layout_facts(const Json& layout) {
   if (layout.at("packed").get<bool>())
     rows.push_back({"square covered", formatted("%.1f %%", 100 * layout.at("coverage").get<double>())});
   const Json& overlap = layout.at("overlap");
-  rows.push_back(
-      {"under more than one triangle", formatted("%.2g %%", 100 * overlap.at("share").get<double>())});
+  rows.push_back({"under more than one triangle", share_text(overlap.at("share"))});
   if (overlap.at("triangles") > 0) rows.push_back({"triangles that overlap", count(overlap["triangles"])});
   if (overlap.contains("split") && overlap["split"]["charts_added"] > 0) {
-    rows.push_back({"the same before charts were split",
-                    formatted("%.2g %%", 100 * overlap["split"]["share_before"].get<double>())});
+    rows.push_back({"the same before charts were split", share_text(overlap["split"]["share_before"])});
     rows.push_back({"charts added by that", count(overlap["split"]["charts_added"])});
     rows.push_back({"length of cuts added", real(overlap["split"]["cut_length"], 4)});
   }

@@ -1,6 +1,7 @@
 #include "report_warnings.hpp"
 
 #include "common/formatted.hpp"
+#include "outcome.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -2,6 +2,7 @@
 
 #include "alignment.hpp"
 #include "chart_runs.hpp"
+#include "common/formatted.hpp"
 #include "common/interrupt.hpp"
 #include "common/newton_report.hpp"
 #include "common/terminal.hpp"
@@ -36,11 +37,11 @@ class Solver {
   }
 
   Solution run() {
-    const bool cuts = options_.max_distortion > 0 || reaches_tips();
-    for (std::size_t c = 0; c < start_.charts.size(); ++c)
-      solve_chart(static_cast<int>(c), cuts ? Care::rough : Care::full, true);
+    for (std::size_t c = 0; c < start_.charts.size(); ++c) solve_chart(static_cast<int>(c), Care::full, true);
     if (options_.max_distortion > 0) cut_further();
     if (reaches_tips()) reach_remaining_tips();
+    if (solution_.cuts > 0)
+      notice("cut further from " + std::to_string(solution_.cuts) + " distorted place(s)");
     combine_runs(solution_.runs, solution_.summary, solution_.chart_of_row);
     solution_.worst_distortion = worst_distortion(solution_.stretches);
     solution_.pins = pins_;
@@ -53,8 +54,15 @@ class Solver {
     const std::string of = start_.charts.size() > 1 ? "chart " + std::to_string(chart) + " of " +
                                                           std::to_string(start_.charts.size()) + "  "
                                                     : "";
-    show_progress(of + progress_line(row));
+    show_progress(aim() + of + progress_line(row));
     return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
+  }
+
+  // What --max-distortion wants and how far it is.
+  std::string aim() const {
+    if (options_.max_distortion == 0 || solution_.cuts == 0) return "";
+    return formatted("distortion %.3g, wanted %.3g, %d cuts  ", worst_, options_.max_distortion,
+                     solution_.cuts);
   }
 
   // Between cuts it is enough to know where they are wanted.
@@ -127,6 +135,7 @@ class Solver {
 
   // All that are far from each other at once. Returns whether there were any.
   bool lengthen_cuts(double bound) {
+    worst_ = worst_distortion(solution_.stretches);
     std::set<int> changed;
     for (const int vertex : worst_vertices(domain_, solution_.stretches, bound)) {
       if (solution_.cuts == options_.max_cuts) break;
@@ -183,6 +192,7 @@ class Solver {
   Timer timer_;
   Pins pins_;
   std::vector<Line> lines_;
+  double worst_ = 1;                     // distortion, when cuts were last chosen
   std::set<int> rough_;                  // charts that were not solved fully
   std::vector<double> soft_pin_energy_;  // of every chart
   Solution solution_;

@@ -9,10 +9,13 @@
 #include <isostretch/mesh/boundary.hpp>
 #include <isostretch/mesh/components.hpp>
 #include <isostretch/mesh/orientation.hpp>
+#include <isostretch/newton/objective.hpp>
+#include <isostretch/newton/term.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace isostretch::app::parameterize {
 namespace {
@@ -134,6 +137,42 @@ void embed(const Domain& domain, const Options& options, const std::string& name
   chart.scatter(result.uv, start.uv);
 }
 
+double value(const energies::AnyEnergy& energy, const assembly::Elements& elements, const mesh::Points2& uv) {
+  newton::Objective objective(2, elements.node_count);
+  objective.add<newton::EnergyTerm>(elements, energy);
+  Vector x(uv.size());
+  std::copy(uv.data(), uv.data() + uv.size(), x.data());
+  return objective.value(x).value;
+}
+
+// By which a layout whose units say nothing about the model's is brought to its size: that of least energy,
+// within a factor of four of the one that gives it the area of the model. Golden section in the logarithm.
+double best_scale(const Domain& domain, const Start& start, const energies::AnyEnergy& energy) {
+  const double area = mesh::orientation(start.uv, domain.open().triangles).total_area;
+  if (!(area > 0)) return 1;
+  const double same_area = 1 / std::sqrt(area), golden = 0.5 * (std::sqrt(5.0) - 1);
+  const assembly::Elements elements = assembly::elements_from(start.rest);
+  const auto at = [&](double log_scale) {
+    return value(energy, elements, start.uv * (same_area * std::exp(log_scale)));
+  };
+  double low = -std::log(4.0), high = std::log(4.0);
+  double left = high - golden * (high - low), right = low + golden * (high - low);
+  double at_left = at(left), at_right = at(right);
+  while (high - low > 1e-9) {
+    if (at_left < at_right) {
+      high = std::exchange(right, left);
+      at_right = at_left;
+      at_left = at(left = high - golden * (high - low));
+    } else {
+      low = std::exchange(left, right);
+      at_left = at_right;
+      at_right = at(right = low + golden * (high - low));
+    }
+  }
+  const double best = 0.5 * (low + high);
+  return at(best) < at(0) ? same_area * std::exp(best) : same_area;
+}
+
 void require_startable(const Chart& chart, const Start& start, const std::string& name,
                        const energies::AnyEnergy& energy, const Options& options) {
   const auto flipped = mesh::orientation(chart.gather(start.uv), chart.mesh.triangles).flipped;
@@ -177,7 +216,10 @@ Chart make_chart(const Domain& domain, const Start& start, int number) {
 Start make_start(const Domain& domain, const energies::AnyEnergy& energy, const Options& options) {
   const auto make = [&] {
     Start start = rest_shape(domain, options);
-    if (options.initial == Initial::input) start.uv = domain.input_uv / start.unit_length;
+    if (options.initial == Initial::input) {
+      start.uv = domain.input_uv / start.unit_length;
+      if (options.units() == UvUnits::square) start.uv *= best_scale(domain, start, energy);
+    }
     start.charts = make_charts(domain, start);
     if (!options.corners.empty() && start.charts.size() > 1)
       throw Failure(ExitCode::command_line, "--corners: the surface falls into " +

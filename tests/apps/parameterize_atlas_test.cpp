@@ -118,7 +118,7 @@ TEST_CASE("several components become charts, packed into the unit square at one 
   double energy = 0;
   for (const auto& chart : result.summary["charts"]) energy += chart["energy"].get<double>();
   CHECK(energy == doctest::Approx(result.summary["energy"].get<double>()));
-  const Result kept = flatten(scratch, two_balls_and_a_disc(), {"--pack", "none"});
+  const Result kept = flatten(scratch, two_balls_and_a_disc(), {"--pack", "none", "--uv-units", "model"});
   CHECK(kept.summary["layout"]["uv_per_length"] == 1.0);
   CHECK(kept.summary["energy"].get<double>() == result.summary["energy"].get<double>());
 }
@@ -147,7 +147,7 @@ TEST_CASE("handles and holes: genus 3 becomes one disk, short loops stay holes u
 TEST_CASE("seams of the input are respected, or ignored when told") {
   const Scratch scratch;
   const Result first = flatten(scratch, mesh::icosphere(3), {"--cut-tips", "2"});
-  const Result again = flatten(scratch, first.mesh);
+  const Result again = flatten(scratch, first.mesh, {"--cut-tips", "2"});
   CHECK(again.summary["layout"]["cut_edges"] == first.summary["layout"]["cut_edges"]);
   CHECK(again.summary["energy"].get<double>() ==
         doctest::Approx(first.summary["energy"].get<double>()).epsilon(1e-8));
@@ -202,14 +202,19 @@ TEST_CASE("the boundary on a circle, on a square, fixed") {
   const mesh::SurfaceMesh face = mesh::procedural_face(8);
   const std::vector<int> loop = mesh::boundary_loops(face).front();
   const double free = flatten(scratch, face).summary["energy"].get<double>();
-  const Result circle = flatten(scratch, face, {"--boundary", "circle"});
+  const std::vector<std::string> in_place = {"--uv-units", "model", "--pack", "none", "--boundary"};
+  const auto held = [&](std::vector<std::string> how) {
+    how.insert(how.begin(), in_place.begin(), in_place.end());
+    return flatten(scratch, face, how);
+  };
+  const Result circle = held({"circle"});
   const double radius = circle.mesh.uv.row(loop[0]).norm();
   for (const int v : loop) CHECK(circle.mesh.uv.row(v).norm() == doctest::Approx(radius).epsilon(1e-12));
   CHECK(circle.summary["energy"].get<double>() > free);
   std::string corners;
   for (const std::size_t i : {std::size_t{3}, loop.size() / 3, loop.size() / 2, loop.size() - 2})
     corners.append(corners.empty() ? "" : ",").append(std::to_string(loop[i]));
-  const Result square = flatten(scratch, face, {"--boundary", "square", "--corners", corners});
+  const Result square = held({"square", "--corners", corners});
   const double side = square.mesh.uv.maxCoeff();
   for (const int v : loop)
     CHECK(std::max(std::abs(square.mesh.uv(v, 0)), std::abs(square.mesh.uv(v, 1))) == doctest::Approx(side));

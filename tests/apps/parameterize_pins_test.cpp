@@ -116,10 +116,11 @@ TEST_CASE("what is held stays where it is, whatever else is pinned or aligned") 
     return mesh::read_obj(scratch.path("out/face_uv.obj"));
   };
   const std::vector<int> loop = mesh::boundary_loops(face).front();
-  const mesh::SurfaceMesh circle = run({"--boundary", "circle"});
+  const mesh::SurfaceMesh circle = run({"--boundary", "circle", "--uv-units", "model", "--pack", "none"});
   const mesh::SurfaceMesh pinned = run({"--boundary", "circle", "--pin", "0:0.05,0.05"});
   const mesh::SurfaceMesh aligned =
-      run({"--boundary", "circle", "--horizontal", std::to_string(loop[3]) + ",0"});
+      run({"--boundary", "circle", "--horizontal", std::to_string(loop[3]) + ",0", "--uv-units", "model",
+           "--pack", "none"});
   for (const int v : loop) {
     CHECK(pinned.uv.row(v) == circle.uv.row(v));
     CHECK(aligned.uv.row(v) == circle.uv.row(v));

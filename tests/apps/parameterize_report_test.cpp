@@ -124,7 +124,8 @@ TEST_CASE("pictures and a report that needs nothing else are written") {
   CHECK(count(html, "src=") == 2);
   for (const char* elsewhere : {"://", "href", "<script", "<link", "@import", "url("})
     CHECK_MESSAGE(html.find(elsewhere) == std::string::npos, elsewhere);
-  for (const char* word : {"Converged", "symmetric_dirichlet", "<th>status</th>", "genus", "320"})
+  for (const char* word : {"converged", "1 chart; no triangle is turned over; nothing overlaps",
+                           "symmetric_dirichlet", "<th>status</th>", "genus", "320"})
     CHECK_MESSAGE(html.find(word) != std::string::npos, word);
   CHECK(html.find("class=\"warnings\"") == std::string::npos);
 }

@@ -97,9 +97,14 @@ TEST_CASE("a face is flattened and everything is written") {
     CHECK(result.triangles == input.triangles);
     CHECK(summary["flipped"] == 0);
     CHECK(mesh::count_flipped(result.uv, result.uv_triangles) == 0);
-    CHECK(summary["energy"].get<double>() == Approx(symmetric_dirichlet(result)).epsilon(1e-10));
+    const double unit = summary["layout"]["uv_per_length"];
+    CHECK(result.uv.minCoeff() > 0);
+    CHECK(result.uv.maxCoeff() < 1);
+    mesh::SurfaceMesh in_model_units = result;
+    in_model_units.uv /= unit;
+    CHECK(summary["energy"].get<double>() == Approx(symmetric_dirichlet(in_model_units)).epsilon(1e-10));
     CHECK(summary["energy"].get<double>() < summary["initial_energy"].get<double>());
-    const double area = mesh::orientation(result.uv, result.uv_triangles).total_area;
+    const double area = mesh::orientation(result.uv, result.uv_triangles).total_area / (unit * unit);
     CHECK(area == Approx(9 * summary["distortion"]["mean_area_ratio"].get<double>()).epsilon(1e-10));
   }
   SUBCASE("the trace has a row for the start and one per iteration") {
@@ -122,17 +127,34 @@ TEST_CASE("a face is flattened and everything is written") {
   }
 }
 
-TEST_CASE("normalized output is the other output over the root of the area") {
+TEST_CASE("uv in units of the model, of total area 1 and of the unit square differ by a factor") {
   const Scratch scratch;
   const std::string model = write_face(scratch, 4);
-  CHECK(parameterize({model, "-o", scratch.path("a"), "--no-picture", "--max-iterations", "3"}).code == 5);
-  CHECK(parameterize(
-            {model, "-o", scratch.path("b"), "--no-picture", "--max-iterations", "3", "--keep-normalized"})
-            .code == 5);
-  const auto a = mesh::read_obj(scratch.path("a/face_uv.obj")),
-             b = mesh::read_obj(scratch.path("b/face_uv.obj"));
-  CHECK((a.uv - 3 * b.uv).cwiseAbs().maxCoeff() < 1e-12);
-  CHECK(!std::filesystem::exists(scratch.path("a/layout.png")));
+  const auto uv_in = [&](const std::string& units, const std::vector<std::string>& more) {
+    std::vector<std::string> command = {
+        model, "-o", scratch.path(units), "--no-picture", "--max-iterations", "3", "--uv-units", units};
+    command.insert(command.end(), more.begin(), more.end());
+    CHECK(parameterize(command).code == 5);
+    return mesh::read_obj(scratch.path(units + "/face_uv.obj")).uv;
+  };
+  const auto unit_of = [&](const std::string& units) {
+    return read_json(scratch.path(units + "/summary.json"))["layout"]["uv_per_length"].get<double>();
+  };
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{}, {"--pack", "none"}, {"--margin", "0"}}) {
+    const mesh::Points2 lengths = uv_in("model", more), area = uv_in("area", more),
+                        square = uv_in("square", more);
+    CHECK((lengths - 3 * area).cwiseAbs().maxCoeff() < 1e-12);
+    CHECK(unit_of("model") == Approx(1));
+    CHECK(unit_of("area") == Approx(1.0 / 3));
+    const Eigen::RowVector2d shift = square.row(0) - unit_of("square") * lengths.row(0);
+    CHECK(((square - unit_of("square") * lengths).rowwise() - shift).cwiseAbs().maxCoeff() < 1e-12);
+    const double margin = more.size() == 2 && more[0] == "--margin" ? 0 : 1.0 / 256;
+    CHECK(square.minCoeff() >= margin - 1e-12);
+    CHECK(square.maxCoeff() <= 1 - margin + 1e-12);
+    CHECK(square.maxCoeff() > 0.97);
+  }
+  CHECK(parameterize({model, "-o", scratch.path("no"), "--uv-units", "square", "--pin", "0:0,0"}).code == 2);
 }
 
 TEST_CASE("one thread and two write the same bytes") {

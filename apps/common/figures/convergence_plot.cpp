@@ -50,7 +50,7 @@ void draw_horizontal_ticks(Canvas& canvas, const Box& box, const Axis& axis, boo
   for (const Tick& tick : axis.ticks) {
     const double x = box.x + box.width * axis.position(tick.value);
     canvas.line({x, box.y}, {x, box.bottom()}, grid_style);
-    if (labels) canvas.text({x, box.bottom() + 14}, tick.label, {.size = 12, .across = Align::middle});
+    if (labels) canvas.text({x, box.bottom() + 18}, tick.label, {.size = 20, .across = Align::middle});
   }
 }
 
@@ -58,7 +58,7 @@ void draw_vertical_ticks(Canvas& canvas, const Box& box, const Axis& axis, bool 
   for (const Tick& tick : axis.ticks) {
     const double y = box.bottom() - box.height * axis.position(tick.value);
     if (!tick.label.empty()) canvas.line({box.x, y}, {box.right(), y}, grid_style);
-    if (labels) canvas.text({box.x - 8, y}, tick.label, {.size = 12, .across = Align::end});
+    if (labels) canvas.text({box.x - 8, y}, tick.label, {.size = 20, .across = Align::end});
   }
 }
 
@@ -88,7 +88,7 @@ void draw_curve(Canvas& canvas, const Box& box, const Axis& x_axis, const std::v
   for (const Point& p : points) canvas.dot(p, radius, series.color);
   if (points.empty())
     canvas.text({box.x + 0.5 * box.width, box.y + 0.5 * box.height}, "nothing above zero",
-                {.color = {0.5, 0.5, 0.5}, .across = Align::middle});
+                {.size = 20, .color = {0.5, 0.5, 0.5}, .across = Align::middle});
 }
 
 }  // namespace
@@ -100,32 +100,25 @@ void draw_convergence(Canvas& canvas, const Box& box, const std::vector<newton::
                 {.across = Align::middle});
     return;
   }
-  std::vector<double> iterations, seconds;
-  for (const auto& row : trace) iterations.push_back(row.iteration), seconds.push_back(row.seconds);
-  const Axis x_axes[] = {linear_axis(iterations.back(), 6, true), linear_axis(seconds.back(), 5)};
-  const std::vector<double>* xs[] = {&iterations, &seconds};
-  const char* const x_names[] = {"iterations", "seconds"};
+  std::vector<double> iterations;
+  for (const auto& row : trace) iterations.push_back(row.iteration);
+  const Axis x_axis = linear_axis(iterations.back(), 6, true);
   const Series series[] = {{"energy − best", {0.10, 0.36, 0.65}, energy_above_best(trace)},
                            {"|gradient|∞", {0.80, 0.33, 0.05}, gradient_norms(trace), chart_of_row}};
 
-  constexpr double left = 62, gap = 22, title = 24, foot = 44;
-  const double width = (box.width - left - gap) / 2;
-  const double height = (box.height - 2 * title - foot - 12) / 2;
+  constexpr double left = 72, title = 32, foot = 62, between = 16;
+  const double height = (box.height - 2 * title - foot - between) / 2;
   for (int r = 0; r < 2; ++r) {
     const Axis y_axis = axis_of(series[r]);
-    for (int c = 0; c < 2; ++c) {
-      const Box plot{box.x + left + c * (width + gap), box.y + title + r * (height + title + 12), width,
-                     height};
-      draw_horizontal_ticks(canvas, plot, x_axes[c], r == 1);
-      draw_vertical_ticks(canvas, plot, y_axis, c == 0);
-      canvas.frame(plot, {{0.3, 0.3, 0.3}, 0.8, 1});
-      draw_curve(canvas, plot, x_axes[c], *xs[c], y_axis, series[r]);
-      if (c == 0)
-        canvas.text({plot.x, plot.y - 11}, series[r].name,
-                    {.size = 14, .color = series[r].color, .bold = true});
-      if (r == 1)
-        canvas.text({plot.x + 0.5 * width, plot.bottom() + 34}, x_names[c], {.across = Align::middle});
-    }
+    const Box plot{box.x + left, box.y + title + r * (height + title + between), box.width - left, height};
+    draw_horizontal_ticks(canvas, plot, x_axis, r == 1);
+    draw_vertical_ticks(canvas, plot, y_axis, true);
+    canvas.frame(plot, {{0.3, 0.3, 0.3}, 0.8, 1});
+    draw_curve(canvas, plot, x_axis, iterations, y_axis, series[r]);
+    canvas.text({plot.x, plot.y - 15}, series[r].name, {.size = 21, .color = series[r].color, .bold = true});
+    if (r == 1)
+      canvas.text({plot.x + 0.5 * plot.width, plot.bottom() + 46}, "iterations",
+                  {.size = 20, .across = Align::middle});
   }
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr Eigen::Index few_triangles = 6000;  // more, and edges would hide the colours
 constexpr std::size_t few_flips = 200;
+constexpr Color hatch_color{0.05, 0.05, 0.05};
 
 // uv to pixels: the layout centred in the box, v upwards.
 class Fit {
@@ -35,23 +36,30 @@ class Fit {
   Point middle_;
 };
 
-void fill(Raster& raster, const LayoutData& data, const Fit& fit, const Box& box, Eigen::Index t,
-          Color color) {
-  double corners[6];
+// x and y of three corners in turn, in pixels of the raster.
+struct Corners {
+  double xy[6];
+};
+
+Corners corners_of(const LayoutData& data, const Fit& fit, const Box& box, Eigen::Index t) {
+  Corners corners{};
   for (int c = 0; c < 3; ++c) {
     const Point p = fit(data.uv.row(data.triangles(t, c)));
-    corners[2 * c] = p.x - box.x;
-    corners[2 * c + 1] = p.y - box.y;
+    corners.xy[2 * c] = p.x - box.x;
+    corners.xy[2 * c + 1] = p.y - box.y;
   }
-  raster.fill_triangle(corners, color);
+  return corners;
 }
 
 Raster rasterize(const LayoutData& data, const Fit& fit, const Box& box, const DistortionScale& scale) {
   Raster raster(static_cast<int>(box.width), static_cast<int>(box.height));
   for (Eigen::Index t = 0; t < data.triangles.rows(); ++t)
-    fill(raster, data, fit, box, t,
-         distortion_color(scale.color_value(data.distortions[static_cast<std::size_t>(t)])));
-  for (const int t : data.flipped) fill(raster, data, fit, box, t, flipped_color);
+    raster.fill_triangle(corners_of(data, fit, box, t).xy,
+                         distortion_color(scale.color_value(data.distortions[static_cast<std::size_t>(t)])));
+  for (const int t : data.flipped) raster.fill_triangle(corners_of(data, fit, box, t).xy, flipped_color);
+  if (data.overlapping != nullptr)
+    for (const int t : *data.overlapping)
+      raster.hatch_triangle(corners_of(data, fit, box, t).xy, hatch_color);
   return raster;
 }
 
@@ -88,11 +96,11 @@ void draw_ticks(Canvas& canvas, const Box& bar, const DistortionScale& scale) {
     const double y = bar.bottom() - bar.height * scale.axis.position(tick.value);
     if (y > lowest_free) continue;
     canvas.line({bar.x - 5, y}, {bar.x, y});
-    canvas.text({bar.x - 8, y}, tick.label, {.across = Align::end});
-    lowest_free = y - 16;
+    canvas.text({bar.x - 8, y}, tick.label, {.size = 20, .across = Align::end});
+    lowest_free = y - 24;
   }
   if (scale.above)
-    canvas.text({bar.x + 0.5 * bar.width, bar.y - 9}, "▲", {.size = 10, .across = Align::middle});
+    canvas.text({bar.x + 0.5 * bar.width, bar.y - 12}, "▲", {.size = 16, .across = Align::middle});
 }
 
 }  // namespace
@@ -115,7 +123,7 @@ void draw_layout(Canvas& canvas, const Box& box, const LayoutData& data, const D
 
 void draw_distortion_scale(Canvas& canvas, const Box& box, const DistortionScale& scale,
                            const std::string& whole) {
-  const Box bar{box.x + 52, box.y, 20, box.height};
+  const Box bar{box.x + 60, box.y, 20, box.height};
   constexpr int steps = 256;
   for (int i = 0; i < steps; ++i) {
     const double top = std::round(bar.bottom() - bar.height * (i + 1) / steps);
@@ -132,8 +140,8 @@ void draw_distortion_scale(Canvas& canvas, const Box& box, const DistortionScale
     canvas.fill({left, bar.bottom() - step * static_cast<double>(i + 1) + 0.5, room * scale.shares[i] / most,
                  step - 1},
                 {0.55, 0.58, 0.62});
-  canvas.text({box.right(), bar.bottom() + 14}, "longest bar: " + percent(most) + " of the " + whole,
-              {.size = 11, .color = {0.35, 0.35, 0.35}, .across = Align::end});
+  canvas.text({box.right(), bar.bottom() + 20}, "longest: " + percent(most) + " of " + whole,
+              {.size = 17, .color = {0.35, 0.35, 0.35}, .across = Align::end});
 }
 
 }  // namespace isostretch::app::figures

@@ -14,10 +14,11 @@ namespace isostretch::app::figures {
 struct LayoutData {
   const mesh::Points2& uv;
   const mesh::Triangles& triangles;
-  const std::vector<double>& distortions;  // per triangle
-  const std::vector<int>& flipped;         // triangles turned over, drawn last and in their own colour
-  const std::vector<int>& pins;            // vertices to mark
-  bool unit_square = false;                // to draw around it: charts are packed there
+  const std::vector<double>& distortions;         // per triangle
+  const std::vector<int>& flipped;                // triangles turned over, drawn last and in their own colour
+  const std::vector<int>& pins;                   // vertices to mark
+  bool unit_square = false;                       // to draw around it: charts are packed there
+  const std::vector<int>* overlapping = nullptr;  // triangles that lie on others, hatched
 };
 
 // Fits the layout into the box and draws it coloured by distortion, with its outline, and with its edges when

@@ -10,7 +10,7 @@ namespace isostretch::app::figures {
 namespace {
 
 constexpr int width = 1600, least_height = 400, most_height = 900;
-constexpr double margin = 24, top = 92, gap = 16, inset = 28;
+constexpr double margin = 24, top = 112, gap = 16, inset = 28;
 constexpr int view_width = static_cast<int>((width - 2 * margin - gap) / 2);
 
 // Pixels per unit of the screen, the same in both views so that both fit.
@@ -32,9 +32,9 @@ Placement centred(const Box& bounds, double scale, int view_height) {
 }
 
 void draw_titles(Canvas& canvas, const ModelFigure& figure) {
-  const TextStyle title{.size = 20, .bold = true}, subtitle{.size = 14, .color = {0.3, 0.3, 0.3}};
-  canvas.text({margin, 32}, canvas.shortened(figure.title, width - 2 * margin, title), title);
-  canvas.text({margin, 60}, canvas.shortened(figure.subtitle, width - 2 * margin, subtitle), subtitle);
+  const TextStyle title{.size = 32, .bold = true}, subtitle{.size = 23, .color = {0.3, 0.3, 0.3}};
+  canvas.text({margin, 36}, canvas.shortened(figure.title, width - 2 * margin, title), title);
+  canvas.text({margin, 76}, canvas.shortened(figure.subtitle, width - 2 * margin, subtitle), subtitle);
 }
 
 // Flipped triangles are often too small to be seen.

@@ -84,25 +84,47 @@ class Shader {
     fill_ = (0.85 * camera.right() + 0.1 * camera.up() + 0.5 * camera.back()).normalized();
   }
 
-  Color operator()(int triangle, double x, double y) const {
-    const auto point = [&](int c) {
-      return points_[static_cast<std::size_t>(model_.triangles(triangle, c))];
-    };
-    const Weights weights_at(point(0), point(1), point(2));
-    const Eigen::RowVector3d weights = weights_at(x, y);
-    const bool inside = weights_at.from_behind();
-    const double brightness = light(triangle, weights, inside);
+  // What all samples of a triangle have in common.
+  struct Face {
+    int triangle = -1;
+    Weights weights{{}, {}, {}};
+    bool flipped = false;
+    Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+    Eigen::Matrix<double, 3, 2> uv = Eigen::Matrix<double, 3, 2>::Zero();
+  };
+
+  Face face(int triangle) const {
+    const auto corner = [&](int c) { return model_.triangles(triangle, c); };
+    const auto point = [&](int c) { return points_[static_cast<std::size_t>(corner(c))]; };
+    Face face;
+    face.triangle = triangle;
+    face.weights = {point(0), point(1), point(2)};
+    face.flipped = flipped_[static_cast<std::size_t>(triangle)];
+    for (int c = 0; c < 3; ++c) {
+      face.normals.row(c) = normals_.row(corner(c));
+      if (model_.colors.empty())
+        face.uv.row(c) = model_.uv.row(model_.uv_triangles(triangle, c)) / model_.square;
+    }
+    return face;
+  }
+
+  // Which changes little across a pixel.
+  double brightness(const Face& face, double x, double y) const {
+    return light(face, face.weights(x, y), face.weights.from_behind());
+  }
+
+  Color operator()(const Face& face, double x, double y, double brightness) const {
     // In the dark, too, and on the inside, flipped triangles are to be found.
-    if (flipped_[static_cast<std::size_t>(triangle)]) return times(flipped_color, std::max(brightness, 0.9));
-    const Color color = model_.colors.empty() ? checker(triangle, weights) : mixed_color(triangle, weights);
-    return times(inside ? mixed(color, {0.62, 0.63, 0.66}, 0.45) : color, brightness);
+    if (face.flipped) return times(flipped_color, std::max(brightness, 0.9));
+    const Eigen::RowVector3d weights = face.weights(x, y);
+    const Color color = model_.colors.empty() ? checker(face, weights) : mixed_color(face.triangle, weights);
+    return times(face.weights.from_behind() ? mixed(color, {0.62, 0.63, 0.66}, 0.45) : color, brightness);
   }
 
  private:
-  Color checker(int triangle, const Eigen::RowVector3d& weights) const {
-    Eigen::RowVector2d uv(0, 0);
-    for (int c = 0; c < 3; ++c) uv += weights[c] * model_.uv.row(model_.uv_triangles(triangle, c));
-    return checker_color(uv.x() / model_.square, uv.y() / model_.square);
+  static Color checker(const Face& face, const Eigen::RowVector3d& weights) {
+    const Eigen::RowVector2d uv = weights * face.uv;
+    return checker_color(uv.x(), uv.y());
   }
 
   Color mixed_color(int triangle, const Eigen::RowVector3d& weights) const {
@@ -114,9 +136,8 @@ class Shader {
     return sum;
   }
 
-  double light(int triangle, const Eigen::RowVector3d& weights, bool inside) const {
-    Eigen::RowVector3d normal(0, 0, 0);
-    for (int c = 0; c < 3; ++c) normal += weights[c] * normals_.row(model_.triangles(triangle, c));
+  double light(const Face& face, const Eigen::RowVector3d& weights, bool inside) const {
+    Eigen::RowVector3d normal = weights * face.normals;
     if (inside) normal = -normal;
     const double length = normal.norm();
     if (length > 1e-12)
@@ -134,14 +155,27 @@ class Shader {
   Eigen::RowVector3d key_, fill_;
 };
 
-void shade(Raster& picture, const Visibility& seen, const Shader& shader) {
-  for (int row = 0; row < picture.rows(); ++row)
-    for (int column = 0; column < picture.columns(); ++column) {
-      const int triangle = seen.at(column, row);
-      if (triangle == Visibility::nothing) continue;
-      picture.set_sample(
-          column, row, triangle == Visibility::line ? line_color : shader(triangle, column + 0.5, row + 0.5));
+void shade_row(Raster& picture, const Visibility& seen, const Shader& shader, int row) {
+  Shader::Face face;
+  double brightness = 1;
+  for (int column = 0; column < picture.columns(); ++column) {
+    const int triangle = seen.at(column, row);
+    if (triangle == Visibility::nothing) continue;
+    if (triangle == Visibility::line) {
+      picture.set_sample(column, row, line_color);
+      continue;
     }
+    const double x = column + 0.5, y = row + 0.5;
+    const bool other = triangle != face.triangle;
+    if (other) face = shader.face(triangle);
+    if (other || column % Raster::samples == 0) brightness = shader.brightness(face, x, y);
+    picture.set_sample(column, row, shader(face, x, y, brightness));
+  }
+}
+
+void shade(Raster& picture, const Visibility& seen, const Shader& shader) {
+#pragma omp parallel for schedule(dynamic, 32)
+  for (int row = 0; row < picture.rows(); ++row) shade_row(picture, seen, shader, row);
 }
 
 std::vector<Point> seen_flips(const ModelData& model, const std::vector<ScreenPoint>& points,

@@ -31,6 +31,16 @@ void Raster::fill_triangle(const double (&corners)[6], Color color) {
   });
 }
 
+void Raster::hatch_triangle(const double (&corners)[6], Color color) {
+  constexpr int period = 7 * samples, stripe = 2 * samples;
+  double p[6];
+  for (int i = 0; i < 6; ++i) p[i] = corners[i] * samples;
+  scan_triangle(p, columns(), rows(), [&](int row, int from, int to) {
+    for (int column = from; column < to; ++column)
+      if ((column + row) % period < stripe) set_sample(column, row, color);
+  });
+}
+
 void Raster::set_sample(int column, int row, Color color) {
   samples_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns()) +
            static_cast<std::size_t>(column)] = packed(color);

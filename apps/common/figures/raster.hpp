@@ -26,6 +26,9 @@ class Raster {
   // Corners in pixels, x and y in turn, in either orientation; later triangles cover earlier ones.
   void fill_triangle(const double (&corners)[6], Color color);
 
+  // Stripes of the color, which go on from triangle to triangle.
+  void hatch_triangle(const double (&corners)[6], Color color);
+
   // One sample, for pictures that are computed sample by sample.
   void set_sample(int column, int row, Color color);
 

@@ -18,12 +18,13 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-// How much curvature the surface has at each vertex, and how strongly neighbours are coupled: what the logarithm of
-// the scale of a conformal map to the plane follows from, by one linear equation.
+// How much curvature the surface has at each vertex, and how strongly neighbours are coupled: what the
+// logarithm of the scale of a conformal map to the plane follows from, by one linear equation.
 class Curvature {
  public:
   Curvature(const Piece& piece, const Points3& vertices)
-      : surface_(piece.surface), defect_(surface_.outgoing.size(), 2 * std::numbers::pi),
+      : surface_(piece.surface),
+        defect_(surface_.outgoing.size(), 2 * std::numbers::pi),
         coupling_(at(surface_.count()), 0) {
     for (int h = 0; h < surface_.count(); ++h) add_corner(vertices, h);
     for (double& weight : coupling_) weight = std::clamp(weight, least_coupling, 1 / least_coupling);

@@ -120,6 +120,28 @@ TEST_CASE("glTF: a picture is embedded as it is") {
   CHECK(glb.document["textures"][material["baseColorTexture"]["index"].get<std::size_t>()]["source"] == 0);
 }
 
+TEST_CASE("glTF: the repeats of a picture are in the material, not in the coordinates") {
+  SurfaceMesh mesh = grid(2, 2);
+  mesh.uv = mesh.vertices.leftCols(2);
+  mesh.uv_triangles = mesh.triangles;
+  const std::string png = "\x89PNG\r\n\x1a\n";
+  const Glb once(format_glb(mesh, {.base_color_png = png})),
+      often(format_glb(mesh, {.base_color_png = png, .repeats = 3.5}));
+  const auto uv = [](const Glb& glb) {
+    return glb.numbers<float>(glb.primitive()["attributes"]["TEXCOORD_0"]);
+  };
+  CHECK(uv(once) == uv(often));
+  CHECK(!once.document.contains("extensionsUsed"));
+  CHECK(often.document["extensionsUsed"] == json::array({"KHR_texture_transform"}));
+  const json& transform = often.document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]
+                                        ["extensions"]["KHR_texture_transform"];
+  CHECK(transform["scale"] == json::array({3.5, 3.5}));
+  // The lower left corner, (0, 1) in glTF, keeps a corner of the picture.
+  CHECK(1 * transform["scale"][1].get<double>() + transform["offset"][1].get<double>() == 1);
+  for (const double repeats : {0.0, -1.0, std::nan(""), HUGE_VAL})
+    CHECK_THROWS_AS(format_glb(mesh, {.base_color_png = png, .repeats = repeats}), Error);
+}
+
 TEST_CASE("glTF: limits of positions are those of the floats, normals are unit vectors") {
   SurfaceMesh mesh = procedural_face(20);
   mesh.vertices.col(0) *= 1e30;

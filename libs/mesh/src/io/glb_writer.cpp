@@ -86,13 +86,15 @@ class GlbWriter {
     if (mesh_.has_uv()) attributes += ",\"TEXCOORD_0\":" + std::to_string(uv_accessor());
     const std::string targets = morph_targets(), animation = this->animation();
     const std::string material = this->material();
-    std::string json =
-        "{\"asset\":{\"version\":\"2.0\",\"generator\":\"isostretch\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]"
-        "}],"
-        "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{" +
-        attributes + "},\"indices\":" + std::to_string(indices) + ",\"material\":0" + targets + "}]}]," +
-        material + animation + ",\"accessors\":[" + accessors_ + "],\"bufferViews\":[" + views_ +
-        "],\"buffers\":[{\"byteLength\":" + std::to_string(data_.size()) + "}]}";
+    std::string json = "{\"asset\":{\"version\":\"2.0\",\"generator\":\"isostretch\"}," +
+                       std::string(repeats() ? "\"extensionsUsed\":[\"KHR_texture_transform\"]," : "") +
+                       "\"scene\":0,\"scenes\":[{\"nodes\":[0]"
+                       "}],"
+                       "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{" +
+                       attributes + "},\"indices\":" + std::to_string(indices) + ",\"material\":0" + targets +
+                       "}]}]," + material + animation + ",\"accessors\":[" + accessors_ +
+                       "],\"bufferViews\":[" + views_ +
+                       "],\"buffers\":[{\"byteLength\":" + std::to_string(data_.size()) + "}]}";
     return container(std::move(json));
   }
 
@@ -219,11 +221,25 @@ class GlbWriter {
     if (options_.base_color_png.empty()) return start + "\"baseColorFactor\":[0.8,0.8,0.8,1]" + end;
     const std::size_t picture = data_.size();
     data_ += options_.base_color_png;
-    return start + "\"baseColorTexture\":{\"index\":0}" + end +
+    return start + "\"baseColorTexture\":{\"index\":0" + transform() + "}" + end +
            ",\"textures\":[{\"sampler\":0,\"source\":0}],\"samplers\":[{\"magFilter\":9729,\"minFilter\":"
            "9987}],"
            "\"images\":[{\"mimeType\":\"image/png\",\"bufferView\":" +
            std::to_string(add_view(picture, 0)) + "}]";
+  }
+
+  bool repeats() const { return !options_.base_color_png.empty() && options_.repeats != 1; }
+
+  // Of coordinates that run down from the upper left corner: the lower one stays where it is.
+  std::string transform() const {
+    if (!repeats()) return {};
+    std::string text = ",\"extensions\":{\"KHR_texture_transform\":{\"offset\":[0,";
+    append(text, 1 - options_.repeats);
+    text += "],\"scale\":[";
+    append(text, options_.repeats);
+    text += ',';
+    append(text, options_.repeats);
+    return text + "]}}";
   }
 
   // Header, JSON chunk filled up with blanks, binary chunk.
@@ -286,6 +302,8 @@ std::string format_glb_animation(const SurfaceMesh& mesh, const std::vector<GlbF
 std::string format_glb(const SurfaceMesh& mesh, const GlbOptions& options) {
   require_writable(mesh);
   require_png(mesh, options.base_color_png);
+  if (!(options.repeats > 0) || !std::isfinite(options.repeats))
+    throw Error("glTF: the picture must be repeated a positive number of times");
   const std::vector<GlbFrame> still;
   return GlbWriter(mesh, options, still).write();
 }

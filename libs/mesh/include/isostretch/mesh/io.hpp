@@ -191,6 +191,9 @@ struct GlbOptions {
   bool normals = true;
   // The bytes of a PNG file to embed as base colour; needs texture coordinates. Empty: a plain grey surface.
   std::string base_color_png = {};
+  /// How often the picture is repeated along a side of the unit square of uv, from its lower left corner; uv
+  /// stay as they are (extension KHR_texture_transform, left out for 1). Positive and finite.
+  double repeats = 1;
 };
 
 // Binary glTF 2.0, one mesh. A vertex is doubled where its texture coordinates differ, v runs downwards as
