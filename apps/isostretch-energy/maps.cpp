@@ -22,7 +22,7 @@ using figures::LineStyle;
 using figures::Point;
 
 constexpr std::size_t lattice = 281;
-constexpr int width = 1560, height = 830;
+constexpr int width = 1600, height = 870;
 constexpr double side = 560;
 constexpr Color dark{0.2, 0.2, 0.2}, outside{0.82, 0.82, 0.82};
 constexpr LineStyle diagonal_style{dark, 1.2, 0.8, Dash::dashed}, volume_style{dark, 1.6, 0.8, Dash::dotted},
@@ -136,13 +136,13 @@ void draw_axes(Canvas& canvas, const Panel& panel) {
     const Point below = panel.at(t, 0), beside = panel.at(0, t);
     canvas.line(below, {below.x, below.y + 5}, {dark, 1, 1});
     canvas.line(beside, {beside.x - 5, beside.y}, {dark, 1, 1});
-    canvas.text({below.x, below.y + 17}, tick.label, {.across = figures::Align::middle});
-    canvas.text({beside.x - 10, beside.y}, tick.label, {.across = figures::Align::end});
+    canvas.text({below.x, below.y + 20}, tick.label, {.size = 18, .across = figures::Align::middle});
+    canvas.text({beside.x - 10, beside.y}, tick.label, {.size = 18, .across = figures::Align::end});
   }
   canvas.frame(box, {dark, 1, 1});
-  canvas.text({box.x + 0.5 * box.width, box.bottom() + 40}, "s₁",
-              {.size = 15, .across = figures::Align::middle});
-  canvas.text({box.x - 48, box.y + 0.5 * box.height}, "s₂", {.size = 15, .across = figures::Align::middle});
+  canvas.text({box.x + 0.5 * box.width, box.bottom() + 46}, "s₁",
+              {.size = 20, .across = figures::Align::middle});
+  canvas.text({box.x - 60, box.y + 0.5 * box.height}, "s₂", {.size = 20, .across = figures::Align::middle});
 }
 
 // With a light seam, to be seen on dark colours as well.
@@ -172,7 +172,7 @@ void draw_scale(Canvas& canvas, const Box& box, const Scale& scale) {
   for (const figures::Tick& tick : scale.ticks) {
     const double at = box.bottom() - box.height * std::clamp(scale.position(tick.value), 0.0, 1.0);
     canvas.line({box.right(), at}, {box.right() + 5, at}, {dark, 1, 1});
-    canvas.text({box.right() + 9, at}, tick.label);
+    canvas.text({box.right() + 9, at}, tick.label, {.size = 18});
   }
 }
 
@@ -189,19 +189,21 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Field& eigenvalue, con
   draw_scale(canvas, {panel.box.right() + 24, panel.box.y, 22, panel.box.height}, scale);
 }
 
+constexpr figures::TextStyle legend_text{.size = 19};
+
 void draw_legend(Canvas& canvas, Point at, bool outside_too) {
   const std::pair<LineStyle, const char*> lines[] = {
       {zero_style, "smallest eigenvalue 0"}, {diagonal_style, "s₁ = s₂"}, {volume_style, "s₁ s₂ = 1"}};
   for (const auto& [style, name] : lines) {
     canvas.line(at, {at.x + 36, at.y}, style);
-    canvas.text({at.x + 44, at.y}, name);
-    at.x += 44 + canvas.text_width(name) + 32;
+    canvas.text({at.x + 44, at.y}, name, legend_text);
+    at.x += 44 + canvas.text_width(name, legend_text) + 32;
   }
   canvas.ring({at.x + 5, at.y}, 4.5, {{0, 0, 0}, 1.5, 1});
-  canvas.text({at.x + 17, at.y}, "rest");
+  canvas.text({at.x + 17, at.y}, "rest", legend_text);
   if (!outside_too) return;
   canvas.fill({at.x + 80, at.y - 8, 16, 16}, outside);
-  canvas.text({at.x + 104, at.y}, "outside of the domain");
+  canvas.text({at.x + 104, at.y}, "outside of the domain", legend_text);
 }
 
 std::string title_of(const energies::AnyEnergy& energy) {
@@ -245,13 +247,13 @@ Maps::Maps(const energies::AnyEnergy& energy, int dim, const Range& range)
 }
 
 std::string Maps::draw(figures::PictureFormat format) const {
-  constexpr double left = 84, top = 130, apart = 750;
-  constexpr figures::TextStyle heading{.size = 15, .bold = true};
+  constexpr double left = 100, top = 150, apart = 750;
+  constexpr figures::TextStyle heading{.size = 22, .bold = true};
   Canvas canvas(width, height, format);
-  canvas.text({24, 34}, canvas.shortened(title_, width - 48, {.size = 19, .bold = true}),
-              {.size = 19, .bold = true});
-  canvas.text({24, 64}, dim_ == 2 ? "in the plane" : "in space, s₃ = 1",
-              {.size = 14, .color = {0.35, 0.35, 0.35}});
+  canvas.text({24, 38}, canvas.shortened(title_, width - 48, {.size = 29, .bold = true}),
+              {.size = 29, .bold = true});
+  canvas.text({24, 76}, dim_ == 2 ? "in the plane" : "in space, s₃ = 1",
+              {.size = 20, .color = {0.35, 0.35, 0.35}});
   const std::vector<double> psi = finite_values(psi_), eigenvalues = finite_values(eigenvalue_);
   const Panel first{{left, top, side, side}, psi_, range_},
       second{{left + apart, top, side, side}, eigenvalue_, range_};

@@ -15,7 +15,7 @@ using figures::Canvas;
 using figures::Color;
 using figures::Point;
 
-constexpr int width = 1600, height = 620;
+constexpr int width = 1600, height = 660;
 constexpr figures::LineStyle grid_style{{0.5, 0.5, 0.5}, 0.6, 0.35};
 constexpr Color first_color{0.10, 0.36, 0.65}, second_color{0.80, 0.33, 0.05}, both_color{0.2, 0.2, 0.2};
 
@@ -41,12 +41,12 @@ void draw_grid(Canvas& canvas, const Box& box, const Axis& x, const Axis& y) {
   for (const figures::Tick& tick : x.ticks) {
     const double at = box.x + box.width * x.position(tick.value);
     canvas.line({at, box.y}, {at, box.bottom()}, grid_style);
-    canvas.text({at, box.bottom() + 15}, tick.label, {.across = figures::Align::middle});
+    canvas.text({at, box.bottom() + 18}, tick.label, {.size = 19, .across = figures::Align::middle});
   }
   for (const figures::Tick& tick : y.ticks) {
     const double at = box.bottom() - box.height * y.position(tick.value);
     canvas.line({box.x, at}, {box.right(), at}, grid_style);
-    canvas.text({box.x - 8, at}, tick.label, {.across = figures::Align::end});
+    canvas.text({box.x - 8, at}, tick.label, {.size = 19, .across = figures::Align::end});
   }
   canvas.frame(box, {{0.3, 0.3, 0.3}, 0.8, 1});
 }
@@ -68,26 +68,26 @@ void draw_curve(Canvas& canvas, const Box& box, const Axis& x, const Axis& y, co
 void draw_legend(Canvas& canvas, Point at, const std::vector<Curve>& curves) {
   for (const Curve& curve : curves) {
     canvas.line(at, {at.x + 24, at.y}, {curve.color, 3, 1});
-    canvas.text({at.x + 32, at.y}, curve.name, {.size = 14, .color = curve.color});
-    at.x += 32 + canvas.text_width(curve.name, {.size = 14}) + 28;
+    canvas.text({at.x + 32, at.y}, curve.name, {.size = 20, .color = curve.color});
+    at.x += 32 + canvas.text_width(curve.name, {.size = 20}) + 28;
   }
 }
 
 void draw_plot(Canvas& canvas, const Box& box, const Result& r, const Plot& plot) {
   const double most = largest(r, plot.curves);
   const Axis x = figures::linear_axis(1, 6), y = figures::linear_axis(most > 1e-200 ? most : 1, 6);
-  canvas.text({box.x, box.y - 48}, plot.title, {.size = 16, .bold = true});
-  draw_legend(canvas, {box.x, box.y - 20}, plot.curves);
+  canvas.text({box.x, box.y - 62}, plot.title, {.size = 24, .bold = true});
+  draw_legend(canvas, {box.x, box.y - 24}, plot.curves);
   draw_grid(canvas, box, x, y);
   for (const Curve& curve : plot.curves) draw_curve(canvas, box, x, y, r, curve);
-  canvas.text({box.x + 0.5 * box.width, box.bottom() + 38}, "t",
-              {.size = 14, .across = figures::Align::middle});
+  canvas.text({box.x + 0.5 * box.width, box.bottom() + 48}, "t",
+              {.size = 20, .across = figures::Align::middle});
 }
 
 }  // namespace
 
 std::string draw_energies(const Result& r) {
-  constexpr double left = 84, gap = 110, top = 84, foot = 64, right = 32;
+  constexpr double left = 100, gap = 130, top = 104, foot = 76, right = 32;
   const double plot_width = (width - left - gap - right) / 2, plot_height = height - top - foot;
   Canvas canvas(width, height);
   draw_plot(canvas, {left, top, plot_width, plot_height}, r,

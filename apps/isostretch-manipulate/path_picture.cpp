@@ -19,8 +19,8 @@ using figures::Color;
 using figures::Point;
 
 constexpr int width = 1600, shown = 6;
-constexpr double margin = 24, top = 92, gap = 12, inset = 12, caption = 66, most_view = 330,
-                 plot_height = 220;
+constexpr double margin = 24, top = 118, gap = 12, inset = 12, caption = 96, most_view = 330,
+                 plot_height = 240;
 constexpr figures::LineStyle grid_style{{0.5, 0.5, 0.5}, 0.6, 0.35};
 constexpr Color inverted_color{0.0, 0.47, 0.62}, gap_color{0.80, 0.33, 0.05}, grey{0.3, 0.3, 0.3};
 
@@ -58,14 +58,14 @@ figures::DeformationFigure path_figure(const Result& r, const Strain& strain,
 }
 
 void draw_captions(Canvas& canvas, Point at, const sdp_penalty::Iteration& row) {
-  const figures::TextStyle bold{.size = 14, .bold = true, .across = Align::middle},
-      plain{.size = 13, .color = grey, .across = Align::middle};
-  canvas.text({at.x, at.y + 14}, formatted("iteration %d, %.3g s", row.iteration, row.seconds), bold);
+  const figures::TextStyle bold{.size = 20, .bold = true, .across = Align::middle},
+      plain{.size = 19, .color = grey, .across = Align::middle};
+  canvas.text({at.x, at.y + 20}, formatted("iteration %d, %.3g s", row.iteration, row.seconds), bold);
   canvas.text(
-      {at.x, at.y + 33}, row.inverted > 0 ? with_thousands(row.inverted) + " inverted" : "none inverted",
-      row.inverted > 0 ? figures::TextStyle{.size = 13, .color = inverted_color, .across = Align::middle}
+      {at.x, at.y + 47}, row.inverted > 0 ? with_thousands(row.inverted) + " inverted" : "none inverted",
+      row.inverted > 0 ? figures::TextStyle{.size = 19, .color = inverted_color, .across = Align::middle}
                        : plain);
-  canvas.text({at.x, at.y + 51}, gap_text(row), plain);
+  canvas.text({at.x, at.y + 73}, gap_text(row), plain);
 }
 
 struct Curve {
@@ -80,12 +80,12 @@ void draw_grid(Canvas& canvas, const Box& box, const Axis& x, const Axis& y) {
   for (const figures::Tick& tick : x.ticks) {
     const double at = box.x + box.width * x.position(tick.value);
     canvas.line({at, box.y}, {at, box.bottom()}, grid_style);
-    canvas.text({at, box.bottom() + 15}, tick.label, {.size = 12, .across = Align::middle});
+    canvas.text({at, box.bottom() + 18}, tick.label, {.size = 18, .across = Align::middle});
   }
   for (const figures::Tick& tick : y.ticks) {
     const double at = box.bottom() - box.height * y.position(tick.value);
     canvas.line({box.x, at}, {box.right(), at}, grid_style);
-    canvas.text({box.x - 8, at}, tick.label, {.size = 12, .across = Align::end});
+    canvas.text({box.x - 8, at}, tick.label, {.size = 18, .across = Align::end});
   }
   canvas.frame(box, {grey, 0.8, 1});
 }
@@ -105,8 +105,8 @@ void draw_curve(Canvas& canvas, const Box& box, const Axis& x, const std::vector
   if (points.empty())
     canvas.text({box.x + 0.5 * box.width, box.y + 0.5 * box.height}, "no certificate",
                 {.color = {0.5, 0.5, 0.5}, .across = Align::middle});
-  canvas.text({box.x, box.y - 14}, curve.title, {.size = 14, .color = curve.color, .bold = true});
-  canvas.text({box.x + 0.5 * box.width, box.bottom() + 34}, "seconds", {.across = Align::middle});
+  canvas.text({box.x, box.y - 18}, curve.title, {.size = 20, .color = curve.color, .bold = true});
+  canvas.text({box.x + 0.5 * box.width, box.bottom() + 44}, "seconds", {.size = 19, .across = Align::middle});
 }
 
 Curve inverted_curve(const std::vector<sdp_penalty::Iteration>& trace) {
@@ -134,7 +134,7 @@ Curve gap_curve(const std::vector<sdp_penalty::Iteration>& trace) {
 }
 
 void draw_plots(Canvas& canvas, double y, const std::vector<sdp_penalty::Iteration>& trace) {
-  constexpr double left = 80, between = 100;
+  constexpr double left = 96, between = 120;
   const double plot_width = (width - left - between - 2 * margin) / 2;
   std::vector<double> seconds;
   for (const auto& row : trace) seconds.push_back(row.seconds);
@@ -151,13 +151,13 @@ std::string draw_path(const Result& r, const Strain& strain) {
   const int view_width = static_cast<int>((width - 2 * margin - (shown - 1) * gap) / shown);
   const figures::DeformedViews views(figure, view_width, most_view, inset);
   const int view_height = static_cast<int>(std::ceil(views.height()));
-  const double plots = top + view_height + caption + 48;
-  Canvas canvas(width, static_cast<int>(plots + plot_height + 56));
+  const double plots = top + view_height + caption + 56;
+  Canvas canvas(width, static_cast<int>(plots + plot_height + 68));
   const figures::DistortionScale scale =
       figures::distortion_scale(figure.states.back().length_change, figure.volumes, 56, 1);
-  canvas.text({margin, 32}, canvas.shortened(figure.title, width - 2 * margin, {.size = 20, .bold = true}),
-              {.size = 20, .bold = true});
-  canvas.text({margin, 60}, figure.subtitle, {.size = 14, .color = grey});
+  canvas.text({margin, 38}, canvas.shortened(figure.title, width - 2 * margin, {.size = 32, .bold = true}),
+              {.size = 32, .bold = true});
+  canvas.text({margin, 82}, figure.subtitle, {.size = 22, .color = grey});
   for (std::size_t i = 0; i < iterates.size(); ++i) {
     const Point corner{margin + static_cast<double>(i) * (view_width + gap), top};
     views.draw(canvas, i, corner, view_height, scale);

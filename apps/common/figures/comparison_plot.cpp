@@ -10,7 +10,7 @@
 namespace isostretch::app::figures {
 namespace {
 
-constexpr double margin = 24, left = 76, below = 62, above = 36, top = 84;
+constexpr double margin = 24, left = 96, below = 74, above = 44, top = 100;
 constexpr double panel_width = 560, panel_height = 300;
 constexpr LineStyle grid_style{{0.5, 0.5, 0.5}, 0.6, 0.3};
 constexpr Color grey{0.3, 0.3, 0.3};
@@ -78,20 +78,21 @@ void draw_axes(Canvas& canvas, const Box& box, const Axis& x, const Axis& y, con
   for (const Tick& tick : x.ticks) {
     const double at = box.x + box.width * x.position(tick.value);
     canvas.line({at, box.y}, {at, box.bottom()}, grid_style);
-    canvas.text({at, box.bottom() + 15}, tick.label, {.size = 12, .across = Align::middle});
+    canvas.text({at, box.bottom() + 18}, tick.label, {.size = 17, .across = Align::middle});
   }
   for (const Tick& tick : y.ticks) {
     const double at = box.bottom() - box.height * y.position(tick.value);
     canvas.line({box.x, at}, {box.right(), at}, grid_style);
-    canvas.text({box.x - 8, at}, tick.label, {.size = 12, .across = Align::end});
+    canvas.text({box.x - 8, at}, tick.label, {.size = 17, .across = Align::end});
   }
   for (const double level : panel.levels) {
     const double at = box.bottom() - box.height * place(y, level);
     canvas.line({box.x, at}, {box.right(), at}, {grey, 1, 0.8, Dash::dashed});
   }
   canvas.frame(box, {grey, 0.8, 1});
-  canvas.text({box.x, box.y - 15}, panel.title, {.size = 14, .bold = true});
-  canvas.text({box.x + 0.5 * box.width, box.bottom() + 36}, panel.x_label, {.across = Align::middle});
+  canvas.text({box.x, box.y - 18}, panel.title, {.size = 20, .bold = true});
+  canvas.text({box.x + 0.5 * box.width, box.bottom() + 44}, panel.x_label,
+              {.size = 18, .across = Align::middle});
 }
 
 double distance(Point a, Point b) {
@@ -139,12 +140,12 @@ void draw_panel(Canvas& canvas, const Box& box, const ComparisonPanel& panel) {
 }
 
 // Besides the names, which take what they need.
-constexpr double legend_margin = 76, legend_line = 22;
+constexpr double legend_margin = 84, legend_line = 27;
 
 double legend_width(const std::vector<std::string>& names) {
   Canvas measure(1, 1);
   double widest = 0;
-  for (const std::string& name : names) widest = std::max(widest, measure.text_width(name, {.size = 13}));
+  for (const std::string& name : names) widest = std::max(widest, measure.text_width(name, {.size = 18}));
   return legend_margin + widest;
 }
 
@@ -155,7 +156,7 @@ void draw_legend(Canvas& canvas, Point corner, const std::vector<std::string>& n
     const CurveStyle style = curve_style(i);
     canvas.line(at, {at.x + 40, at.y}, style.line);
     draw_mark(canvas, {at.x + 20, at.y}, style);
-    canvas.text({at.x + 50, at.y}, names[i], {.size = 13});
+    canvas.text({at.x + 50, at.y}, names[i], {.size = 18});
     at.y += legend_line;
   }
 }
@@ -170,8 +171,8 @@ std::string draw_comparison(const std::string& title, const std::string& subtitl
   const double legend_height = static_cast<double>(names.size()) * legend_line;
   const double height = top + std::max(rows * down, legend_height + above);
   Canvas canvas(static_cast<int>(columns * across + legend_width(names)), static_cast<int>(height), format);
-  canvas.text({margin, 30}, title, {.size = 20, .bold = true});
-  canvas.text({margin, 58}, subtitle, {.size = 14, .color = grey});
+  canvas.text({margin, 36}, title, {.size = 29, .bold = true});
+  canvas.text({margin, 72}, subtitle, {.size = 20, .color = grey});
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const int row = static_cast<int>(i) / columns, column = static_cast<int>(i) % columns;
     draw_panel(canvas, {column * across + left, top + row * down + above, panel_width, panel_height},

@@ -10,12 +10,12 @@ namespace isostretch::app::figures {
 namespace {
 
 constexpr int width = 1600, least_height = 480, most_height = 900;
-constexpr double margin = 24, top = 92, gap = 16, inset = 28, caption = 30, scale_width = 190;
+constexpr double margin = 24, top = 118, gap = 16, inset = 28, caption = 42, scale_width = 230;
 
 void draw_titles(Canvas& canvas, const DeformationFigure& figure) {
-  const TextStyle title{.size = 20, .bold = true}, subtitle{.size = 14, .color = {0.3, 0.3, 0.3}};
-  canvas.text({margin, 32}, canvas.shortened(figure.title, width - 2 * margin, title), title);
-  canvas.text({margin, 60}, canvas.shortened(figure.subtitle, width - 2 * margin, subtitle), subtitle);
+  const TextStyle title{.size = 32, .bold = true}, subtitle{.size = 22, .color = {0.3, 0.3, 0.3}};
+  canvas.text({margin, 38}, canvas.shortened(figure.title, width - 2 * margin, title), title);
+  canvas.text({margin, 82}, canvas.shortened(figure.subtitle, width - 2 * margin, subtitle), subtitle);
 }
 
 }  // namespace
@@ -33,11 +33,12 @@ std::string draw_deformation(const DeformationFigure& figure) {
   for (std::size_t i = 0; i < figure.states.size(); ++i) {
     const Point corner{margin + static_cast<double>(i) * (view_width + gap), top};
     views.draw(canvas, i, corner, height - static_cast<int>(around), scale);
-    canvas.text({corner.x + 0.5 * view_width, height - margin - 0.4 * caption}, figure.states[i].caption,
-                {.size = 14, .color = {0.3, 0.3, 0.3}, .across = Align::middle});
+    canvas.text({corner.x + 0.5 * view_width, height - margin - 0.4 * caption},
+                canvas.shortened(figure.states[i].caption, view_width, {.size = 22}),
+                {.size = 22, .color = {0.3, 0.3, 0.3}, .across = Align::middle});
   }
   const Box box{width - margin - scale_width + 10, top + 40, scale_width - 10, height - top - margin - 80};
-  canvas.text({box.right(), box.y - 34}, "largest change of length", {.size = 12, .across = Align::end});
+  canvas.text({box.right(), box.y - 38}, "change of length", {.size = 19, .across = Align::end});
   draw_distortion_scale(canvas, box, scale, figure.flat ? "area" : "volume");
   return canvas.file();
 }
