@@ -21,7 +21,7 @@ namespace isostretch::app::parameterize {
 namespace {
 
 // Of what the default cut goes on to, and how often: more is for --max-distortion.
-constexpr double tip_distortion = 2.4;
+constexpr double tip_distortion = 2.5;
 constexpr int tip_rounds = 12;
 constexpr double rough_decrement = 4e-3;  // a thousandth of the energy of an isometry
 

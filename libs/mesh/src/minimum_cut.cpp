@@ -14,16 +14,16 @@ std::size_t at(int i) {
 class Flow {
  public:
   Flow(const TriangleGraph& graph, const std::vector<signed char>& mark)
-      : graph_(graph), mark_(mark), left_(graph.capacity), level_(mark.size(), -1), next_(mark.size(), 0) {}
+      : graph_(graph), mark_(mark), left_(graph.capacity), level_(mark.size(), -1), next_(mark.size(), 0) {
+    for (std::size_t t = 0; t < mark.size(); ++t)
+      if (mark[t] > 0) (mark[t] == 1 ? first_ : second_).push_back(static_cast<int>(t));
+  }
 
   std::vector<char> separate() {
     while (find_levels())
-      for (std::size_t t = 0; t < mark_.size(); ++t)
-        if (mark_[t] == 1)
-          while (augment(static_cast<int>(t))) continue;
-    std::vector<char> near(mark_.size());
-    for (std::size_t t = 0; t < near.size(); ++t) near[t] = level_[t] >= 0;
-    return near;
+      for (const int t : first_)
+        while (level_[at(t)] >= 0 && augment(t)) continue;
+    return within_reach();
   }
 
  private:
@@ -34,33 +34,44 @@ class Flow {
     return t >= 0 && mark_[at(t)] >= 0 && left_[at(h)] > 0;
   }
 
-  // How many sides triangles are away from the first ones. Returns whether a second one is reached.
+  // How many sides triangles are away from the second ones, up to the nearest of the first. Returns whether
+  // there is a way.
   bool find_levels() {
-    std::fill(level_.begin(), level_.end(), -1);
-    std::fill(next_.begin(), next_.end(), 0);
-    std::vector<int> queue;
-    for (std::size_t t = 0; t < mark_.size(); ++t)
-      if (mark_[t] == 1) {
-        level_[t] = 0;
-        queue.push_back(static_cast<int>(t));
+    for (const int t : queue_) level_[at(t)] = -1;
+    queue_ = second_;
+    for (const int t : queue_) level_[at(t)] = next_[at(t)] = 0;
+    int enough = std::numeric_limits<int>::max();
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      const int t = queue_[i];
+      if (level_[at(t)] >= enough) break;
+      if (mark_[at(t)] == 1) enough = level_[at(t)];
+      for (int h = 3 * t; h < 3 * t + 3; ++h) {
+        const int other = beyond(h);
+        if (other < 0 || mark_[at(other)] < 0 || level_[at(other)] >= 0) continue;
+        if (left_[at(graph_.opposite[at(h)])] == 0) continue;
+        level_[at(other)] = level_[at(t)] + 1;
+        next_[at(other)] = 0;
+        queue_.push_back(other);
       }
-    bool reached = false;
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const int t = queue[i];
-      if (mark_[at(t)] == 2) {
-        reached = true;
-        continue;
-      }
-      for (int h = 3 * t; h < 3 * t + 3; ++h)
-        if (passes(h) && level_[at(beyond(h))] < 0) {
-          level_[at(beyond(h))] = level_[at(t)] + 1;
-          queue.push_back(beyond(h));
-        }
     }
-    return reached;
+    return enough < std::numeric_limits<int>::max();
   }
 
-  // Sends along one path of rising levels what fits through it.
+  // What the first triangles are still connected to.
+  std::vector<char> within_reach() const {
+    std::vector<char> near(mark_.size(), 0);
+    std::vector<int> queue = first_;
+    for (const int t : queue) near[at(t)] = 1;
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (int h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h)
+        if (passes(h) && !near[at(beyond(h))]) {
+          near[at(beyond(h))] = 1;
+          queue.push_back(beyond(h));
+        }
+    return near;
+  }
+
+  // Sends along one path of falling levels what fits through it.
   bool augment(int from) {
     std::vector<int>& path = path_;
     path.clear();
@@ -68,7 +79,7 @@ class Flow {
       if (mark_[at(t)] == 2) break;
       int& corner = next_[at(t)];
       while (corner < 3 &&
-             !(passes(3 * t + corner) && level_[at(beyond(3 * t + corner))] == level_[at(t)] + 1))
+             !(passes(3 * t + corner) && level_[at(beyond(3 * t + corner))] == level_[at(t)] - 1))
         ++corner;
       if (corner < 3) {
         path.push_back(3 * t + corner);
@@ -92,7 +103,8 @@ class Flow {
   const TriangleGraph& graph_;
   const std::vector<signed char>& mark_;
   std::vector<long long> left_;
-  std::vector<int> level_, next_, path_;
+  std::vector<int> first_, second_;
+  std::vector<int> level_, next_, path_, queue_;
 };
 
 }  // namespace

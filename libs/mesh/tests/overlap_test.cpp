@@ -261,6 +261,39 @@ TEST_CASE("overlap: errors name what is wrong") {
   CHECK_THROWS_WITH_AS(index.overlap(), doctest::Contains("triangle 0"), Error);
 }
 
+TEST_CASE("part_sides: a cut that stays closed but for rounding is opened by a hair") {
+  const SurfaceMesh mesh = grid(10, 10);
+  Cut cut = cut_to_disks(mesh);
+  int middle = -1;
+  for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v)
+    if ((mesh.vertices.row(v) - Eigen::RowVector3d(0.5, 0.5, 0)).norm() < 1e-9) middle = static_cast<int>(v);
+  REQUIRE(middle >= 0);
+  extend_cut(cut, middle);
+  std::mt19937 generator(2);
+  std::normal_distribution<double> normal(0, 1e-8);
+  Points2 uv = cut.mesh.vertices.leftCols(2);
+  for (Eigen::Index i = 0; i < uv.size(); ++i) uv.data()[i] += normal(generator);
+  const Points2 before = uv;
+  REQUIRE(!overlapping_pairs(uv, cut.mesh.triangles).empty());
+  const int moved = part_sides(uv, cut.mesh.triangles, 1e-6);
+  CHECK(moved > 2);
+  CHECK(moved <= 2 * static_cast<int>(cut.seams.size() + 1));
+  CHECK((uv - before).rowwise().norm().maxCoeff() < 1.001e-6);
+  CHECK(overlapping_pairs(uv, cut.mesh.triangles).empty());
+  CHECK(part_sides(uv, cut.mesh.triangles, 1e-6) == 0);
+}
+
+TEST_CASE("part_sides turns no triangle over, however far it should move") {
+  const SurfaceMesh mesh = ramp(40, 2);
+  Points2 uv = mesh.vertices.leftCols(2);
+  part_sides(uv, mesh.triangles, 100);
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) {
+    const Eigen::RowVector2d a = uv.row(mesh.triangles(t, 1)) - uv.row(mesh.triangles(t, 0)),
+                             b = uv.row(mesh.triangles(t, 2)) - uv.row(mesh.triangles(t, 0));
+    CHECK(a.x() * b.y() - a.y() * b.x() > 0);
+  }
+}
+
 TEST_CASE("split_overlap: a ramp of two and a half turns becomes three charts, cut across") {
   const SurfaceMesh mesh = ramp(40, 3);
   SurfaceMesh part = mesh;

@@ -26,7 +26,7 @@ struct CutOptions {
   /// Where pieces of a closed component would be stretched or shrunk most, the cut goes on: to up to
   /// max_terminals - 2 vertices of each at which the logarithm of the scale of a conformal map is more than
   /// this.
-  double tip_scale = 2;
+  double tip_scale = 2.5;
 };
 
 // A piece of the surface that the cut leaves connected.

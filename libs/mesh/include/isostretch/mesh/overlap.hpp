@@ -33,4 +33,12 @@ Overlap find_overlap(const Points2& uv, const Triangles& triangles);
 /// / 2.
 std::vector<std::array<int, 2>> overlapping_pairs(const Points2& uv, const Triangles& triangles);
 
+/// Moves boundary vertices of triangles that overlap inward by a distance, and returns how many.
+///
+/// Both sides of a cut that stays closed lie on each other but for what a solver leaves, and overlap by as
+/// little: a distance far below a texture's pixel parts them. Triangles are counter-clockwise seen from the
+/// left of their boundary; ends of cuts stay, and so does whatever would turn a triangle over. Throws Error
+/// as `find_overlap`.
+int part_sides(Points2& uv, const Triangles& triangles, double distance);
+
 }  // namespace isostretch::mesh
