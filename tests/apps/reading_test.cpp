@@ -203,7 +203,7 @@ TEST_CASE("flat bodies lie in any plane, and frames in the same") {
   const double s = 1 / std::sqrt(6.0);
   std::string c, d;
   for (auto [text, x, y] : {std::tuple(&c, 0.2928932188134524, 0.7071067811865476), std::tuple(&d, 1.0, 0.0)})
-    *text = "v " + std::to_string(x - s) + " " + std::to_string(y - s) + " " + std::to_string(2 * s) + "\n";
+    *text = "v " + Json(x - s).dump() + " " + Json(y - s).dump() + " " + Json(2 * s).dump() + "\n";
   for (const auto& m : {frame(a + b + c + d), frame(d + c + b + a)}) {
     CHECK(m[0].vertices.rowwise().sum().isApproxToConstant(1, 1e-6));
     CHECK(m[1].vertices.rowwise().sum().isApproxToConstant(1, 1e-6));

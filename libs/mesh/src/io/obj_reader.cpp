@@ -72,9 +72,6 @@ class ObjReader {
     if (!uv_polygon_.empty() && uv_polygon_.size() != polygon_.size())
       place.fail("only some corners of the face have a texture coordinate");
     const std::size_t before = faces_.count();
-    if (before > 0 && polygon_.size() > 2 && uv_polygon_.empty() == faces_.has_uv())
-      place.fail(std::string("face ") + (uv_polygon_.empty() ? "without" : "with") +
-                 " texture coordinates, unlike the faces before: give all faces some, or ignore them all");
     faces_.add(polygon_, uv_polygon_, place);
     if (!statements_) return;
     auto& list = faces_.count() > before ? statements_->faces : statements_->left_out;
