@@ -41,7 +41,9 @@ class ObjReader {
       face(begin);
     } else if (keyword == "mtllib" && statements_) {
       statements_->materials = true;
-    } else if (keyword == "l" && statements_) {
+    } else if (keyword == "vn" || keyword == "vp" || keyword == "p") {
+      source_.drop_words();
+    } else if (keyword == "l") {
       record(begin, source_.drop_words(), &ObjStatements::lines);
     }
   }
