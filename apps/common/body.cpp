@@ -420,7 +420,7 @@ handles::Nodes Body::selectable() const {
   result.positions = rest_positions();
   result.in_elements = in_elements();
   for (const mesh::ElementGroup& group : groups) {
-    handles::NodeGroup own{group.number, group.name, {}};
+    handles::NodeGroup own{group.number, group.name, group.vertices};
     const auto k = static_cast<std::size_t>(elements.nodes_per_element);
     for (const int e : group.elements) {
       const auto first =

@@ -12,7 +12,11 @@ namespace {
 std::vector<int> selected_elements(const RegionSpec& spec, const Body& body, const handles::Nodes& nodes) {
   if (spec.select && std::holds_alternative<handles::Group>(*spec.select)) {
     const std::string& name = std::get<handles::Group>(*spec.select).name;
-    return body.groups[handles::find_group(name, nodes.groups, spec.path + ".select")].elements;
+    const auto& group = body.groups[handles::find_group(name, nodes.groups, spec.path + ".select")];
+    if (group.elements.empty())
+      throw Error(spec.path + ".select: the group '" + name +
+                  "' is one of faces, lines or points: no element is in it");
+    return group.elements;
   }
   if (spec.select) {
     std::vector<int> chosen =

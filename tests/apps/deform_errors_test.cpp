@@ -261,7 +261,7 @@ TEST_CASE("deform: files that cannot be used are exit code 3, with file, line an
   mesh::write_tets(scratch.path("degenerate.mesh"), bar);
   check_failure(scratch, with(scratch.path("degenerate.mesh")), 3, {"degenerate.mesh", "tet 5"});
   mesh::write_obj(scratch.path("ball.obj"), mesh::icosphere(1));
-  check_failure(scratch, with(scratch.path("ball.obj")), 3, {"ball.obj", "z = 0", "vertex"});
+  check_failure(scratch, with(scratch.path("ball.obj")), 3, {"ball.obj", "in its plane", "vertex"});
   mesh::write_tets(scratch.path("bar.msh"), mesh::tet_bar(2, 1, 1));
   check_failure(scratch, {scratch.path("bar.msh"), "--handle", "all", "-o", out, "--restart"}, 3,
                 {"restart.json"});

@@ -65,8 +65,8 @@ TEST_CASE("numbers that are none, and indices that point nowhere") {
                 "inf.obj:4: z coordinate '-inf'");
   check_refused(scratch, scratch.write("index.obj", good + "f 1 2 4\n"),
                 "index.obj:4: vertex index 4 is out of range");
-  check_refused(scratch, scratch.write("quad.obj", good + "v 1 1 0\nf 1 2 4 3\n"),
-                "quad.obj:5: face with 4 vertices");
+  check_refused(scratch, scratch.write("quad.obj", good + "v 1 1 0\nf 1 4 2 3\n"),
+                "quad.obj:5: face 0 of 4 vertices crosses itself or has no area");
 }
 
 TEST_CASE(

@@ -138,6 +138,21 @@ TEST_CASE("groups: by name and number in handles and regions, unknown ones liste
   run = deform({write_scene(scratch, scene), "-o", scratch.path("out"), "--no-picture"});
   CHECK_MESSAGE(run.code == 0, run.err);
   CHECK(read_json(scratch.path("out/summary.json")).at("regions").at(0).at("elements") == 1);
+  // A group of faces holds vertices, and no elements.
+  std::string with_face = tagged;
+  with_face.replace(with_face.find("$Elements"), std::string::npos,
+                    "$Elements\n3\n1 4 2 1 1 1 2 3 4\n2 4 2 2 2 2 5 3 4\n3 2 2 7 1 1 2 3\n$EndElements\n");
+  const std::string faces = scratch.write("faces.msh", with_face);
+  run = deform({faces, "-o", scratch.path("out"), "--handle", "group:7", "--handle",
+                "nearest:1,1,1;translate=0,0,0.1", "--no-picture", "--frames", "1"});
+  CHECK_MESSAGE(run.code == 0, run.err);
+  CHECK(read_json(scratch.path("out/summary.json")).at("handles").at(0).at("nodes") == 3);
+  Json of_faces = scene;
+  of_faces["mesh"] = "faces.msh";
+  of_faces["regions"][0]["select"]["group"] = 7;
+  check_failure_of([](const auto& list) { return deform(list); }, scratch,
+                   {write_scene(scratch, of_faces, "faces.json"), "-o", scratch.path("new"), "--no-picture"},
+                   3, {"regions[0].select: the group '7' is one of faces, lines or points"});
   scene["regions"][0]["select"]["group"] = 2;
   CHECK(deform({write_scene(scratch, scene), "-o", scratch.path("out"), "--no-picture"}).code == 0);
   scene["regions"][0]["select"]["group"] = "bony";
@@ -203,7 +218,7 @@ TEST_CASE("flat bodies lie in any plane, and frames in the same") {
   const double s = 1 / std::sqrt(6.0);
   std::string c, d;
   for (auto [text, x, y] : {std::tuple(&c, 0.2928932188134524, 0.7071067811865476), std::tuple(&d, 1.0, 0.0)})
-    *text = "v " + std::to_string(x - s) + " " + std::to_string(y - s) + " " + std::to_string(2 * s) + "\n";
+    *text = "v " + Json(x - s).dump() + " " + Json(y - s).dump() + " " + Json(2 * s).dump() + "\n";
   for (const auto& m : {frame(a + b + c + d), frame(d + c + b + a)}) {
     CHECK(m[0].vertices.rowwise().sum().isApproxToConstant(1, 1e-6));
     CHECK(m[1].vertices.rowwise().sum().isApproxToConstant(1, 1e-6));

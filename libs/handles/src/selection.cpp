@@ -52,7 +52,11 @@ class Selector {
   }
 
   std::vector<int> operator()(const Group& group) const {
-    return nodes_.groups[find_group(group.name, nodes_.groups, name_)].nodes;
+    const std::vector<int>& nodes = nodes_.groups[find_group(group.name, nodes_.groups, name_)].nodes;
+    std::vector<int> chosen;
+    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(chosen),
+                 [this](int node) { return nodes_.counts(node); });
+    return chosen;
   }
 
   std::vector<int> operator()(const Slab& slab) const {

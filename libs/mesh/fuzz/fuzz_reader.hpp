@@ -48,6 +48,9 @@ void read_elements(const std::uint8_t* data, std::size_t size, const Parse& pars
     for (const ElementGroup& group : mesh.groups)
       for (const int e : group.elements)
         if (e < 0 || e >= count) __builtin_trap();
+    for (const ElementGroup& group : mesh.groups)
+      for (const int v : group.vertices)
+        if (v < 0 || v >= mesh.vertices.rows()) __builtin_trap();
     repair(mesh);
   } catch (const Error&) {
     return;

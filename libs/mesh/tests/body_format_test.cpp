@@ -107,6 +107,29 @@ TEST_CASE("MSH 4: groups come from the entities, in text and binary") {
   }
 }
 
+TEST_CASE("groups of faces, lines and points have their vertices") {
+  const std::string names = "$PhysicalNames\n3\n0 9 \"tip\"\n2 1 \"left\"\n3 1 \"bone\"\n$EndPhysicalNames\n";
+  const std::string text = msh2 + names + five_nodes +
+                           elements2({"1 15 2 9 1 5", "2 1 2 4 1 5 1", "3 2 2 1 1 3 2 1", "4 2 2 1 1 3 2 5",
+                                      "5 4 2 1 1 1 2 3 4", "6 15 2 0 1 2"});
+  const ElementMesh mesh = parse_msh_elements(text, "m.msh");
+  REQUIRE(mesh.groups.size() == 4);
+  CHECK(mesh.groups[0].name == "bone");
+  CHECK(mesh.groups[0].elements == Indices{0});
+  CHECK(mesh.groups[1].name == "left");
+  CHECK(mesh.groups[1].vertices == Indices{0, 1, 2, 4});
+  CHECK(mesh.groups[2].number == 4);
+  CHECK(mesh.groups[2].vertices == Indices{0, 4});
+  CHECK(mesh.groups[3].name == "tip");
+  CHECK(mesh.groups[3].vertices == Indices{4});
+  // Faces that are the body are its elements.
+  const ElementMesh flat_body = parse_msh_elements(
+      msh2 + names + five_nodes + elements2({"2 1 2 4 1 5 1", "3 2 2 1 1 3 2 1"}), "m.msh");
+  REQUIRE(flat_body.groups.size() == 2);
+  CHECK(flat_body.groups[0].elements == Indices{0});
+  CHECK(flat_body.groups[1].vertices == Indices{0, 4});
+}
+
 TEST_CASE("MEDIT: references are groups") {
   const std::string text =
       "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\n"

@@ -64,6 +64,14 @@ TEST_CASE("OBJ document: triangles left out take their faces along") {
   CHECK(back.uv_triangles == rows<Triangles>({0, 2, 3}));
 }
 
+TEST_CASE("OBJ document: has the faces that reading has, whatever goes on in the next line") {
+  const std::string model = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\\\nf 1 2 3\ng x\\\nf 1 2 3\n";
+  const ObjDocument document = ObjDocument::parse(model, "m.obj");
+  CHECK(document.mesh().triangles == parse_obj(model, "m.obj").triangles);
+  const ObjText out = document.with_uv(document.mesh().vertices.leftCols<2>(), document.mesh().triangles);
+  CHECK(parse_obj(out.text, "m.obj").uv_triangles == document.mesh().triangles);
+}
+
 TEST_CASE("OBJ document: line ends stay, a file without any gets its own, a mark goes") {
   const ObjDocument document =
       ObjDocument::parse("\xEF\xBB\xBFv 0 0 0\rv 1 0 0\rv 0 1 0\rvt 0 0\rf 1 2 3\rf 1 1\r", "m.obj",

@@ -35,6 +35,10 @@ const std::string one = "5 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n"
 TEST_CASE("TetGen: counting from 1 or 0, comments, attributes and markers") {
   const Tets wanted = rows<Tets>({0, 1, 2, 3, 1, 4, 2, 3});
   CHECK(tets(one, "2 4 0\n1 1 2 3 4\n2 2 5 3 4\n").tets == wanted);
+  std::string old_line_ends = one;
+  for (char& c : old_line_ends) c = c == '\n' ? '\r' : c;
+  CHECK(tets("\xEF\xBB\xBF" + old_line_ends, "\xEF\xBB\xBF# C:\\\r2 4 0\r1 1 2 3 4\r2 2 5 3 4").tets ==
+        wanted);
   const TetMesh mesh = tets(
       "# nodes\n5  3  2  1  # counts\r\n\r\n0 0 0 0 7 8 1\r\n1 1 0 0 7 8 1\r\n# one more\r\n"
       "2 0 1 0 7 8 -1\r\n3 0 0 1 7 8 0\r\n4 1 1 1 7 8 0 # last\r\n",

@@ -99,6 +99,9 @@ TEST_CASE("OBJ: numbers go on behind a backslash") {
       parse_obj("v 0 0\\\n0\nv 1 \\\r\n 0 0.1\nv 1 1 0.3 1 \\\n 0 0\nf 1\\\r2 \\\n\\\n3\\", "m.obj");
   CHECK(mesh.vertices == rows<Points3>({0, 0, 0, 1, 0, 0.1, 1, 1, 0.3}));
   CHECK(mesh.triangles == rows<Triangles>({0, 1, 2}));
+  for (const char* statement :
+       {"l 1 2 \\\n", "p 1 \\\n", "vn 0 0 \\\n", "vp 0 \\\n"})  // what follows is theirs
+    CHECK(parse_obj(square_corners + statement + "f 1 2 3\nf 1 3 4\n", "m.obj").triangles.rows() == 1);
 }
 
 TEST_CASE("OBJ, OFF: a byte-order mark hides no vertex and no header") {

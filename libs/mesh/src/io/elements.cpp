@@ -74,7 +74,7 @@ std::string counted(CellKind kind, long count) {
 bool ElementList::wants(CellKind kind) const {
   if (wanted_ == Wanted::surface) return is_face(kind);
   if (wanted_ == Wanted::tets) return kind == CellKind{Family::tet, 4};
-  return find_shape(kind) != nullptr;
+  return find_shape(kind) != nullptr || (kind.dimension() < 2 && kind.nodes > 0);
 }
 
 void ElementList::add(CellKind kind, const std::vector<int>& nodes, const Place& place,
@@ -84,6 +84,13 @@ void ElementList::add(CellKind kind, const std::vector<int>& nodes, const Place&
     const std::size_t before = faces_.count();
     faces_.add(nodes, place);
     if (faces_.count() > before) face_labels_.add(label);
+    return;
+  }
+  if (kind.dimension() < 2) {  // only for the groups they are in
+    for (const std::int64_t group : label.groups) {
+      std::vector<int>& vertices = lines_and_points_[{kind.dimension(), group}];
+      vertices.insert(vertices.end(), nodes.begin(), nodes.end());
+    }
     return;
   }
   List& list = lists_[static_cast<std::size_t>(find_shape(kind)->shape)];
@@ -192,16 +199,41 @@ TetMesh ElementList::tets(const std::vector<double>& vertices, const Place& end)
   return {to_rows<double, 3>(vertices), to_rows<int, 4>(list.nodes)};
 }
 
+std::string ElementList::group_name(int dimension, std::int64_t number) const {
+  const auto name = group_names_.find({dimension, number});
+  return name == group_names_.end() ? std::string() : name->second;
+}
+
 std::vector<ElementGroup> ElementList::groups_of(const List& list, int dimension) const {
   std::vector<ElementGroup> groups;
   for (const auto& [number, element] : list.labels.groups()) {
-    if (groups.empty() || groups.back().number != number) {
-      const auto name = group_names_.find({dimension, number});
-      groups.push_back({number, name == group_names_.end() ? std::string() : name->second, {}});
-    }
+    if (groups.empty() || groups.back().number != number)
+      groups.push_back({number, group_name(dimension, number), {}});
     groups.back().elements.push_back(element);
   }
   return groups;
+}
+
+// Of what is no element of a body of that dimension.
+void ElementList::add_lower_groups(int dimension, std::vector<ElementGroup>& groups) const {
+  auto vertices = lines_and_points_;
+  for (const Shape shape : {Shape::triangle, Shape::quadratic_triangle, Shape::quad}) {
+    const List& list = lists_[static_cast<std::size_t>(shape)];
+    const int nodes = shape_node_count(shape);
+    if (dimension == 3)
+      for (const auto& [number, element] : list.labels.groups()) {
+        const auto first = list.nodes.begin() + std::ptrdiff_t{nodes} * element;
+        auto& own = vertices[{2, number}];
+        own.insert(own.end(), first, first + nodes);
+      }
+  }
+  for (int d = dimension - 1; d >= 0; --d)
+    for (auto& [key, own] : vertices) {
+      if (key.first != d) continue;
+      std::sort(own.begin(), own.end());
+      own.erase(std::unique(own.begin(), own.end()), own.end());
+      groups.push_back({key.second, group_name(d, key.second), {}, std::move(own)});
+    }
 }
 
 ElementMesh ElementList::elements(const std::vector<double>& vertices, const Place& end) {
@@ -220,6 +252,7 @@ ElementMesh ElementList::elements(const std::vector<double>& vertices, const Pla
   mesh.elements = Eigen::Map<const decltype(mesh.elements)>(
       found->nodes.data(), static_cast<Eigen::Index>(found->nodes.size()) / nodes, nodes);
   mesh.groups = groups_of(*found, dimension);
+  add_lower_groups(dimension, mesh.groups);
   return mesh;
 }
 

@@ -68,7 +68,9 @@ class ElementList {
   std::string missing_faces() const;
   void require_one_kind(int dimension, const Place& end) const;
   void drop_copies(List& list, int nodes_each, const Place& end) const;
+  std::string group_name(int dimension, std::int64_t number) const;
   std::vector<ElementGroup> groups_of(const List& list, int dimension) const;
+  void add_lower_groups(int dimension, std::vector<ElementGroup>& groups) const;
 
   Wanted wanted_;
   bool copies_for_groups_ = false;
@@ -79,6 +81,7 @@ class ElementList {
   CellKind last_kind_;
   long* last_count_ = nullptr;  // into counts_, where moving leaves it
   std::map<std::pair<int, std::int64_t>, std::string> group_names_;
+  std::map<std::pair<int, std::int64_t>, std::vector<int>> lines_and_points_;  // vertices of their groups
 };
 
 // What a reader hands over.

@@ -45,6 +45,9 @@ void FaceList::add(const std::vector<int>& corners, const std::vector<int>& uv, 
     ++left_out_;
     return;
   }
+  if (!empty() && has_uv() == uv.empty())
+    place.fail(std::string("face ") + (uv.empty() ? "without" : "with") +
+               " texture coordinates, unlike the faces before: give all faces some, or ignore them all");
   if (corners.size() > 3) positions_.push_back(place.position);
   corners_.insert(corners_.end(), corners.begin(), corners.end());
   uv_.insert(uv_.end(), uv.begin(), uv.end());

@@ -31,7 +31,7 @@ class FaceList {
       : leave_out_(options.leave_out_faces), advice_(options.face_advice) {}
 
   // Corners from 0, and as many texture coordinates or none. What is no face (less than three corners) is an
-  // Error at `place`, or left out if the options say so.
+  // Error at `place`, or left out if the options say so; either all faces have texture coordinates or none.
   // Why a face of so many corners is refused; empty where it is not.
   std::string fault(std::size_t corners) const;
   void add(const std::vector<int>& corners, const Place& place) { add(corners, {}, place); }

@@ -41,7 +41,9 @@ class ObjReader {
       face(begin);
     } else if (keyword == "mtllib" && statements_) {
       statements_->materials = true;
-    } else if (keyword == "l" && statements_) {
+    } else if (keyword == "vn" || keyword == "vp" || keyword == "p") {
+      source_.drop_words();
+    } else if (keyword == "l") {
       record(begin, source_.drop_words(), &ObjStatements::lines);
     }
   }
@@ -72,9 +74,6 @@ class ObjReader {
     if (!uv_polygon_.empty() && uv_polygon_.size() != polygon_.size())
       place.fail("only some corners of the face have a texture coordinate");
     const std::size_t before = faces_.count();
-    if (before > 0 && polygon_.size() > 2 && uv_polygon_.empty() == faces_.has_uv())
-      place.fail(std::string("face ") + (uv_polygon_.empty() ? "without" : "with") +
-                 " texture coordinates, unlike the faces before: give all faces some, or ignore them all");
     faces_.add(polygon_, uv_polygon_, place);
     if (!statements_) return;
     auto& list = faces_.count() > before ? statements_->faces : statements_->left_out;

@@ -163,9 +163,6 @@ class PlyReader {
     if (!uv_polygon_.empty() && uv_polygon_.size() != polygon_.size())
       place.fail("face with " + std::to_string(polygon_.size()) + " vertices and " +
                  std::to_string(uv_polygon_.size()) + " texture coordinates");
-    if (!faces_.empty() && faces_.has_uv() == uv_polygon_.empty() && polygon_.size() > 2)
-      place.fail(std::string("face ") + (uv_polygon_.empty() ? "without" : "with") +
-                 " texture coordinates, unlike the faces before: give all faces some, or ignore them all");
     faces_.add(polygon_, uv_polygon_, place);
   }
 

@@ -15,6 +15,8 @@ struct ElementGroup {
   std::int64_t number = 0;
   std::string name;           ///< empty where the file has none
   std::vector<int> elements;  ///< ascending, from 0
+  /// Of a group of faces, lines or points, which are no elements of the body: their vertices, ascending.
+  std::vector<int> vertices = {};
 };
 
 /// Elements of one kind as a file has them: solid ones, or without any flat ones in space.
@@ -23,7 +25,9 @@ struct ElementMesh {
   Points3 vertices;  ///< #V x 3, in the order of the file
   /// #E x the nodes of the shape, into vertices, in VTK's order (see types.hpp).
   Eigen::Matrix<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor | Eigen::DontAlign> elements;
-  std::vector<ElementGroup> groups;  ///< by number; an element may be in several, or in none
+  /// Those of elements by number, then those of faces, lines and points, by dimension and number. An element
+  /// may be in several, or in none.
+  std::vector<ElementGroup> groups;
 };
 
 }  // namespace isostretch::mesh

@@ -10,7 +10,7 @@ namespace isostretch::mesh {
 /// their order and number; vertices that are kept keep their order. Throws Error for a tolerance that is
 /// negative or not finite, a coordinate that is not finite, or an index out of range.
 int weld(SurfaceMesh& mesh, double tolerance = 0);
-/// The same for elements of any kind.
+/// The same for elements of any kind and their groups.
 int weld(ElementMesh& mesh, double tolerance = 0);
 
 }  // namespace isostretch::mesh
