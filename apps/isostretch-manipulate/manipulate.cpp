@@ -143,7 +143,8 @@ class Job {
                                          {"length_change", after.strain.length_change}}));
     add_frame(result, made, before, after, file);
     animation_.add(made.frame, made.time, made.positions, after.strain);
-    notice(formatted("frame %d of %d: ", made.frame, scene_.script.frames) + std::string(made.status()) +
+    notice(formatted("frame %d of %d: ", made.frame, scene_.script.frames) +
+           (made.certified() ? "certified" : std::string(made.status()) + " (" + made.summary.message + ")") +
            formatted(", %d iterations", made.summary.iterations) +
            (made.rival ? std::string() : formatted(", gap %.1e", made.summary.gap)) +
            formatted(", inverted %zu -> %zu, min det F %.2g, %.2f s", before.strain.inverted.size(),
