@@ -64,32 +64,29 @@ std::vector<HandleMiss> handle_misses(const Rig& rig, double time, int dim, cons
   return misses;
 }
 
-nlohmann::json misses_json(const std::vector<HandleMiss>& misses) {
-  nlohmann::json json = nlohmann::json::array();
+Json misses_json(const std::vector<HandleMiss>& misses) {
+  Json json = Json::array();
   for (const HandleMiss& miss : misses)
     json.push_back({{"name", miss.name},
                     {"mean", miss.mean},
                     {"largest", miss.largest},
-                    {"share_of_size", miss.size > 0 ? nlohmann::json(miss.share()) : nlohmann::json()},
+                    {"share_of_size", miss.size > 0 ? Json(miss.share()) : Json()},
                     {"size", miss.size},
                     {"size_reached", miss.size_reached},
                     {"farthest_node", miss.farthest_node}});
   return json;
 }
 
-std::string handle_table(const nlohmann::json& handles, const nlohmann::json& misses) {
-  const auto number = [](const nlohmann::json& value, const char* pattern, double factor = 1) {
-    return value.is_number() ? formatted(pattern, factor * value.get<double>()) : std::string("–");
-  };
+std::string handle_table(const Json& handles, const Json& misses) {
   std::vector<std::vector<std::string>> rows;
-  for (const nlohmann::json& handle : handles) {
-    rows.push_back({handle["name"], handle["kind"], number(handle.value("weight", nlohmann::json()), "%.4g"),
-                    number(handle["nodes"], "%.0f")});
+  for (const Json& handle : handles) {
+    rows.push_back({handle["name"], handle["kind"], html::number(handle.value("weight", Json()), "%.4g"),
+                    html::number(handle["nodes"], "%.0f")});
     const auto miss = std::find_if(misses.begin(), misses.end(),
-                                   [&](const nlohmann::json& m) { return m["name"] == handle["name"]; });
+                                   [&](const Json& m) { return m["name"] == handle["name"]; });
     for (const char* key : {"size", "size_reached", "mean", "largest"})
-      rows.back().push_back(miss != misses.end() ? number((*miss)[key], "%.3g") : "–");
-    rows.back().push_back(miss != misses.end() ? number((*miss)["share_of_size"], "%.1f %%", 100) : "–");
+      rows.back().push_back(miss != misses.end() ? html::number((*miss)[key], "%.3g") : "–");
+    rows.back().push_back(miss != misses.end() ? html::number((*miss)["share_of_size"], "%.3f") : "–");
   }
   return html::block("div",
                      html::table({{"handle"},
@@ -100,7 +97,7 @@ std::string handle_table(const nlohmann::json& handles, const nlohmann::json& mi
                                   {"size reached", true},
                                   {"mean miss", true},
                                   {"largest miss", true},
-                                  {"of its size", true}},
+                                  {"share of its size", true}},
                                  rows),
                      "class=\"wide\"");
 }

@@ -1,9 +1,8 @@
 #pragma once
 
+#include "common/output_folder.hpp"
 #include "common/rig.hpp"
 #include "common/strain.hpp"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>
@@ -30,9 +29,9 @@ struct HandleMiss {
 std::vector<HandleMiss> handle_misses(const Rig& rig, double time, int dim, const Vector& positions);
 
 /// Rows for a report: `handles` as summaries describe them, with what misses_json() says of them.
-std::string handle_table(const nlohmann::json& handles, const nlohmann::json& misses);
+std::string handle_table(const Json& handles, const Json& misses);
 
-nlohmann::json misses_json(const std::vector<HandleMiss>& misses);
+Json misses_json(const std::vector<HandleMiss>& misses);
 
 /// "handles miss their targets by 0.05 at most (50 % of the size of 'disc')"; empty where no handle has a
 /// node, or none misses by more than rounding.

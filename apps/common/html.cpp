@@ -1,6 +1,7 @@
 #include "common/html.hpp"
 
 #include "common/base64.hpp"
+#include "common/formatted.hpp"
 #include "common/utf8.hpp"
 
 #include <algorithm>
@@ -88,6 +89,16 @@ std::string table(const std::vector<Column>& columns, const std::vector<std::vec
     body += element("tr", cells) + "\n";
   }
   return block("table", (named ? head(columns) : std::string()) + block("tbody", body));
+}
+
+std::string warnings(const std::vector<std::string>& texts) {
+  std::string items;
+  for (const std::string& text : texts) items += block("li", escaped(text));
+  return items.empty() ? items : block("ul", items, "class=\"warnings\"");
+}
+
+std::string number(const Json& value, const char* pattern) {
+  return value.is_number() ? formatted(pattern, value.get<double>()) : std::string("–");
 }
 
 std::string page(const std::string& title, const std::string& style, const std::string& body) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include "common/output_folder.hpp"
+
+#include <nlohmann/json.hpp>
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +32,12 @@ struct Column {
 // Cells are text and are escaped. Without names of columns there is no head; without columns cells are text
 // to the left.
 std::string table(const std::vector<Column>& columns, const std::vector<std::vector<std::string>>& rows);
+
+/// Returns a list in the colour of warnings, of texts that are escaped; empty where there are none.
+std::string warnings(const std::vector<std::string>& texts);
+
+/// Returns the number as the printf pattern says, and a dash for any other value.
+std::string number(const Json& value, const char* pattern);
 
 // A whole page that needs nothing else; title is text, style and body are taken as they are.
 std::string page(const std::string& title, const std::string& style, const std::string& body);

@@ -15,12 +15,10 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
+using html::number;
+
 std::string number(double value, const char* pattern) {
   return std::isfinite(value) ? formatted(pattern, value) : "–";
-}
-
-std::string number(const Json& value, const char* pattern) {
-  return value.is_number() ? formatted(pattern, value.get<double>()) : std::string("–");
 }
 
 std::string wide_table(const std::vector<html::Column>& columns, const Rows& rows) {

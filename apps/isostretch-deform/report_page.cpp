@@ -7,9 +7,7 @@
 namespace isostretch::app::deform {
 namespace {
 
-std::string number(const Json& value, const char* pattern) {
-  return value.is_number() ? formatted(pattern, value.get<double>()) : std::string("–");
-}
+using html::number;
 
 std::string frame_table(const Json& frames) {
   std::vector<std::vector<std::string>> rows;
@@ -39,12 +37,6 @@ std::string region_table(const Json& regions) {
   return html::table({{"region"}, {"energy"}, {"parameters"}, {"elements", true}}, rows);
 }
 
-std::string warning_list(const Result& r) {
-  std::string items;
-  for (const std::string& warning : r.warnings) items += html::block("li", html::escaped(warning));
-  return items.empty() ? "" : html::block("ul", items, "class=\"warnings\"");
-}
-
 }  // namespace
 
 std::string report_page(const Result& r, const Json& summary, const std::string& picture,
@@ -53,7 +45,7 @@ std::string report_page(const Result& r, const Json& summary, const std::string&
   std::string body = html::block("h1", html::escaped(r.body.name));
   body += html::block("p", html::escaped(html::sentence(verdict(r))),
                       good ? "class=\"verdict\"" : "class=\"verdict bad\"");
-  body += warning_list(r);
+  body += html::warnings(r.warnings);
   body += html::figure(picture, "The body at rest and in the last frame",
                        "At rest and in the last frame. Pale where lengths are kept, dark where the worst "
                        "direction is stretched or shrunk most; lines: where handles end; arrows: where they "

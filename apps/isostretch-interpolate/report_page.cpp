@@ -6,9 +6,7 @@
 namespace isostretch::app::interpolate {
 namespace {
 
-std::string number(const Json& value, const char* pattern) {
-  return value.is_number() ? formatted(pattern, value.get<double>()) : std::string("–");
-}
+using html::number;
 
 std::string frame_table(const Json& frames) {
   std::vector<std::vector<std::string>> rows;
@@ -40,12 +38,6 @@ std::string fact_table(const Json& summary) {
            {"seconds in all", number(summary.at("seconds").at("total"), "%.2f")}});
 }
 
-std::string warning_list(const Result& r) {
-  std::string items;
-  for (const std::string& warning : r.warnings) items += html::block("li", html::escaped(warning));
-  return items.empty() ? "" : html::block("ul", items, "class=\"warnings\"");
-}
-
 }  // namespace
 
 std::string report_page(const Result& r, const Json& summary, const std::string& frames,
@@ -54,7 +46,7 @@ std::string report_page(const Result& r, const Json& summary, const std::string&
   std::string body = html::block("h1", html::escaped(name));
   body += html::block("p", html::escaped(html::sentence(verdict(r))),
                       exit_code(r) == ExitCode::success ? "class=\"verdict\"" : "class=\"verdict bad\"");
-  body += warning_list(r);
+  body += html::warnings(r.warnings);
   body += html::figure(
       frames, "Frames side by side",
       "From the first pose to the second. Pale where lengths are those of the first pose, dark where the "

@@ -7,9 +7,7 @@
 namespace isostretch::app::manipulate {
 namespace {
 
-std::string number(const Json& value, const char* pattern) {
-  return value.is_number() ? formatted(pattern, value.get<double>()) : std::string("–");
-}
+using html::number;
 
 std::string number(const Json& frame, const char* key, const char* pattern) {
   return frame.contains(key) ? number(frame[key], pattern) : "–";
@@ -52,12 +50,6 @@ std::string fact_table(const Result& r, const Json& summary) {
            {"seconds in all", number(summary.at("seconds").at("total"), "%.2f")}});
 }
 
-std::string warning_list(const Result& r) {
-  std::string items;
-  for (const std::string& warning : r.warnings) items += html::block("li", html::escaped(warning));
-  return items.empty() ? "" : html::block("ul", items, "class=\"warnings\"");
-}
-
 std::string pictures(const std::string& states, const std::string& path) {
   if (states.empty()) return {};
   return html::figure(
@@ -79,7 +71,7 @@ std::string report_page(const Result& r, const Json& summary, const std::string&
   std::string body = html::block("h1", html::escaped(r.name));
   body += html::block("p", html::escaped(html::sentence(verdict(r))),
                       good ? "class=\"verdict\"" : "class=\"verdict bad\"");
-  body += warning_list(r) + pictures(states, path) + preview;
+  body += html::warnings(r.warnings) + pictures(states, path) + preview;
   body += html::block("h2", "Frames") + frame_table(summary.at("frames"));
   if (r.last.positions.size() > 0) body += handles_section(r, summary);
   body += html::block("h2", "Problem") + fact_table(r, summary);

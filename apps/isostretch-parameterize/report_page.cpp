@@ -17,18 +17,12 @@ std::string verdict_box(const Result& r) {
   return html::block("p", html::escaped(html::sentence(verdict(r))), "class=\"verdict bad\"") + what;
 }
 
-std::string warning_list(const Json& summary) {
-  std::string items;
-  for (const std::string& warning : report_warnings(summary))
-    items += html::block("li", html::escaped(warning));
-  return items.empty() ? "" : html::block("ul", items, "class=\"warnings\"");
-}
-
 }  // namespace
 
 std::string report_page(const Result& r, const Json& summary, const Pictures& pictures) {
   const std::string name = r.options.model.filename().string();
-  std::string body = html::block("h1", html::escaped(name)) + verdict_box(r) + warning_list(summary);
+  std::string body =
+      html::block("h1", html::escaped(name)) + verdict_box(r) + html::warnings(report_warnings(summary));
   body += html::figure(
       pictures.model, "The model with the layout on it as a checkerboard",
       "The model from the front and from behind. Squares keep their size and shape where the layout "
