@@ -78,7 +78,7 @@ def run(document, build):
     with tempfile.TemporaryDirectory() as folder:
         prepare(pathlib.Path(folder), build, document)
         return subprocess.run(["bash", "-c", commands], cwd=folder, env=environment(build), text=True,
-                              stdout=subprocess.PIPE, stderr=sys.stdout)
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
 
 def missing_lines(document, output):
