@@ -81,23 +81,73 @@ std::vector<int> worst_vertices(const Domain& domain, const std::vector<double>&
 
 namespace {
 
-// Inside a surface a vertex has as many neighbours as triangles.
-bool on_boundary(const mesh::Triangles& triangles, int vertex) {
+// Vertices that share a triangle with one, and how many triangles do.
+struct Star {
   std::set<int> neighbours;
-  std::size_t fan = 0;
+  std::size_t triangles = 0;
+  // Inside a surface a vertex has as many neighbours as triangles.
+  bool on_boundary() const { return neighbours.size() != triangles; }
+};
+
+Star star_of(const mesh::Triangles& triangles, int vertex) {
+  Star star;
   for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
     const auto corners = triangles.row(t);
     if ((corners.array() != vertex).all()) continue;
-    ++fan;
-    neighbours.insert(corners.begin(), corners.end());
+    ++star.triangles;
+    star.neighbours.insert(corners.begin(), corners.end());
   }
-  return neighbours.size() != fan + 1;
+  star.neighbours.erase(vertex);
+  return star;
+}
+
+// Where a cut that ends at the vertex comes from; -1: none ends there. Both sides of its last edge are at the
+// vertex.
+int comes_from(const Domain& domain, const Star& star) {
+  std::map<int, int> copies;
+  for (const int v : star.neighbours) {
+    const int original = domain.cut.original_vertex[static_cast<std::size_t>(v)];
+    if (star.on_boundary() && ++copies[original] == 2) return v;
+  }
+  return -1;
+}
+
+// Two edges on from the end of a cut, as straight as edges allow; -1: nothing lies ahead.
+int straight_on(const Domain& domain, int end, int from, const Star& around_end) {
+  const mesh::SurfaceMesh& open = domain.open();
+  const Eigen::RowVector3d ahead = (open.vertices.row(end) - open.vertices.row(from)).normalized();
+  double straightest = 0.7;
+  int best = -1;
+  for (const int near : around_end.neighbours) {
+    const Star star = star_of(open.triangles, near);
+    if (star.on_boundary()) continue;
+    for (const int v : star.neighbours) {
+      if (v == end || around_end.neighbours.count(v) > 0 || star_of(open.triangles, v).on_boundary())
+        continue;
+      const double cosine = (open.vertices.row(v) - open.vertices.row(end)).normalized().dot(ahead);
+      if (cosine > straightest) straightest = cosine, best = v;
+    }
+  }
+  return best;
+}
+
+// A triangle beside the end of a cut is distorted because the cut ends too early: it goes straight on.
+int place_to_reach(const Domain& domain, int vertex, const Star& star) {
+  for (const int end : star.neighbours) {
+    const Star around = star_of(domain.open().triangles, end);
+    const int from = comes_from(domain, around);
+    const int ahead = from < 0 ? -1 : straight_on(domain, end, from, around);
+    if (ahead >= 0) return ahead;
+  }
+  return vertex;
 }
 
 }  // namespace
 
-int cut_at(Domain& domain, int vertex, mesh::Points2& uv) {
-  if (on_boundary(domain.open().triangles, vertex)) return -1;
+int cut_at(Domain& domain, int vertex, OnFromEnd on, mesh::Points2& uv) {
+  const Star star = star_of(domain.open().triangles, vertex);
+  if (star.on_boundary()) return -1;
+  if (on == OnFromEnd::straight) vertex = place_to_reach(domain, vertex, star);
   const std::vector<int> before = mesh::extend_cut(domain.cut, vertex);
   mesh::Points2 carried(static_cast<Eigen::Index>(before.size()), 2);
   for (std::size_t v = 0; v < before.size(); ++v)

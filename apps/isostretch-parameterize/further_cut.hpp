@@ -14,9 +14,13 @@ double worst_distortion(const std::vector<double>& stretches);
 // above the bound and far from the boundary, each the only one around.
 std::vector<int> worst_vertices(const Domain& domain, const std::vector<double>& stretches, double bound);
 
-// Cuts from there to the boundary of its chart; uv follows. Returns the chart; -1 and does nothing when an
-// earlier cut has come to the vertex.
-int cut_at(Domain& domain, int vertex, mesh::Points2& uv);
+// How a cut goes on that ends beside a distorted place: to there, which is short, or two edges straight
+// ahead, which looks like a seam and takes fewer rounds.
+enum class OnFromEnd { to_vertex, straight };
+
+// Cuts from there to the boundary of its chart; uv follows.
+// Returns the chart; -1 and does nothing when an earlier cut has come to the vertex.
+int cut_at(Domain& domain, int vertex, OnFromEnd on, mesh::Points2& uv);
 
 // The most distorted triangle above the bound that has an edge to another one of its chart; -1: none.
 int worst_triangle(const Domain& domain, const std::vector<double>& stretches, double bound);

@@ -55,7 +55,7 @@ std::vector<std::string> layout_warnings(const Result& r) {
   if (!overlap.triangles.empty()) {
     const std::size_t charts = charts_concerned(r.domain, overlap).size();
     warnings.push_back("the layout lies on itself: " + counted(overlap.triangles.size(), "triangle") +
-                       " of " + counted(charts, "chart") + (r.layout.packed ? "" : " that are not packed") +
+                       " of " + counted(charts, "chart") + (r.layout.packed ? "" : " (not packed)") +
                        " overlap, the first is " + std::to_string(overlap.triangles.front()) + "; " +
                        (r.split.done ? "please report the model"
                                      : "--overlap split --pack square divides and packs charts"));

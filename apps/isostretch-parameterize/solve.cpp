@@ -115,7 +115,7 @@ class Solver {
   void cut_further() {
     const double bound = options_.max_distortion;
     while (solution_.cuts < options_.max_cuts && may_go_on()) {
-      if (lengthen_cuts(bound) || finish()) continue;
+      if (lengthen_cuts(bound, OnFromEnd::straight) || finish()) continue;
       const int triangle = worst_triangle(domain_, solution_.stretches, bound);
       if (triangle < 0) return;
       ++solution_.cuts;
@@ -134,12 +134,12 @@ class Solver {
   }
 
   // All that are far from each other at once. Returns whether there were any.
-  bool lengthen_cuts(double bound) {
+  bool lengthen_cuts(double bound, OnFromEnd on) {
     worst_ = worst_distortion(solution_.stretches);
     std::set<int> changed;
     for (const int vertex : worst_vertices(domain_, solution_.stretches, bound)) {
       if (solution_.cuts == options_.max_cuts) break;
-      const int chart = cut_at(domain_, vertex, solution_.uv);
+      const int chart = cut_at(domain_, vertex, on, solution_.uv);
       if (chart < 0) continue;
       ++solution_.cuts;
       changed.insert(chart);
@@ -154,7 +154,7 @@ class Solver {
   // A cut that curvature alone has placed ends a little beside where it should, or leaves out a fine detail.
   void reach_remaining_tips() {
     for (int round = 0; round < tip_rounds && may_go_on(); ++round)
-      if (!lengthen_cuts(tip_distortion) && !finish()) return;
+      if (!lengthen_cuts(tip_distortion, OnFromEnd::to_vertex) && !finish()) return;
     finish();
   }
 

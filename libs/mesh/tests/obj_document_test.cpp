@@ -65,7 +65,8 @@ TEST_CASE("OBJ document: triangles left out take their faces along") {
 }
 
 TEST_CASE("OBJ document: has the faces that reading has, whatever goes on in the next line") {
-  const std::string model = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\\\nf 1 2 3\ng x\\\nf 1 2 3\n";
+  const std::string model =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\\\nf 1 2 3\ng x\\\nf 1 2 3\nl 1/1 \\/2\nf 3 2 1\n";
   const ObjDocument document = ObjDocument::parse(model, "m.obj");
   CHECK(document.mesh().triangles == parse_obj(model, "m.obj").triangles);
   const ObjText out = document.with_uv(document.mesh().vertices.leftCols<2>(), document.mesh().triangles);

@@ -109,9 +109,12 @@ class Writer {
   void line(const Range& range) {
     const std::string_view statement = text_.substr(range.begin, range.end - range.begin);
     if (statement.find('/') == std::string_view::npos) return;
-    ++result_.lines_without_uv;
     std::string text = "l";
-    for (const std::string_view word : words_of(statement)) text.append(" ").append(vertex_of(word));
+    for (const std::string_view word : words_of(statement)) {
+      if (word.find_first_not_of("-0123456789/") != std::string_view::npos) return;  // nobody's line
+      text.append(" ").append(vertex_of(word));
+    }
+    ++result_.lines_without_uv;
     edits_.push_back({range, text});
   }
 
