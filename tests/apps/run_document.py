@@ -5,7 +5,7 @@ The folder that they run in looks like that of the sources: tools/ and apps/ are
 and the apps are in the PATH. Made-up files that a document names (model.obj, body.msh) are small generated ones
 (document_inputs.py); files that it shows, ```json blocks whose first line is // and a name, are written. Then all commands,
 ``` blocks without a language, run in one shell, which ends at the first command that fails. Lines of ```text blocks must be
-among what they print. A block below a line <!-- not run: REASON --> is left out, and said to be. Commands within a line of text
+among what they print, in this order. A block below a line <!-- not run: REASON --> is left out, and said to be. Commands within a line of text
 are not allowed: nobody would run them."""
 import os
 import pathlib
@@ -82,8 +82,14 @@ def run(document, build):
 
 
 def missing_lines(document, output):
-    printed = set(output.splitlines()) | {""}
-    return [line for content in document.of("text") for line in content.splitlines() if line not in printed]
+    """Lines of ```text blocks that are not printed, or not in this order."""
+    printed, missing = output.splitlines(), []
+    for line in filter(None, "".join(document.of("text")).splitlines()):
+        if line in printed:
+            printed = printed[printed.index(line) + 1:]
+        else:
+            missing.append(line)
+    return missing
 
 
 def check(path, build):
@@ -95,7 +101,8 @@ def check(path, build):
     missing = missing_lines(document, done.stdout)
     for fault in document.faults + [f"not printed: {line}" for line in missing]:
         print(f"{document.name}: {fault}")
-    skipped = [(command, fence["reason"]) for fence in document.skipped for command in commands_in(fence["content"])]
+    skipped = [(command, fence["reason"]) for fence in document.skipped if not fence["language"]
+               for command in commands_in(fence["content"])]
     for command, reason in skipped:
         print(f"skipped ({reason}): {command.strip()}")
     count = len([command for content in document.of("") for command in commands_in(content)])
