@@ -124,7 +124,7 @@ def hand(place=lambda p: p):
 FILES = {
     "model.obj": ("an open cap of 384 triangles", lambda: obj(*disk())),
     "face.obj": ("an open cap of 150 triangles", lambda: obj(*disk(5))),
-    "chest.obj": ("an open cap of 216 triangles", lambda: obj(*disk(6))),
+    "hand.obj": ("an open cap of 216 triangles", lambda: obj(*disk(6))),
     "scan.ply": ("a closed surface of 768 triangles", lambda: ply(*closed())),
     "build/demo/bunny.obj": ("a closed surface of 768 triangles", lambda: obj(*closed())),
     "body.msh": ("a cube of 1,296 tets", lambda: msh(*body())),
