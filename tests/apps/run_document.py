@@ -25,7 +25,7 @@ LANGUAGES = {"", "text", "json", "cpp", "cmake"}
 class Document:
     def __init__(self, path):
         text = pathlib.Path(path).read_text()
-        self.name = str(pathlib.Path(path).resolve().relative_to(ROOT))
+        self.name = os.path.relpath(path, ROOT)
         fences = list(FENCE.finditer(text))
         self.skipped = [fence for fence in fences if fence["reason"]]
         self.blocks = [fence for fence in fences if not fence["reason"]]
@@ -107,8 +107,8 @@ def check(path, build):
         print(f"skipped ({reason}): {command.strip()}")
     count = len([command for content in document.of("") for command in commands_in(content)])
     good = done.returncode == 0 and not missing and not document.faults
-    print(f"{document.name}: {count} command(s) run, {len(skipped)} skipped, {time.monotonic() - begin:.1f} s, "
-          f"{'all as printed' if good else f'FAILED (exit code {done.returncode})'}", flush=True)
+    print(f"{document.name}: {count} command(s), {len(skipped)} skipped, {time.monotonic() - begin:.1f} s: "
+          f"{'good' if good else f'FAILED (exit code {done.returncode})'}", flush=True)
     return good
 
 
