@@ -107,6 +107,9 @@ struct Body {
 // are positive.
 Body load_body(const BodySpec& spec);
 
+/// Makes the body of the elements of spec.file, once they are read, as load_body() does.
+Body body_from(mesh::ElementMesh m, const BodySpec& spec);
+
 // "tets", "hexes".
 std::string plural_name(mesh::Shape shape);
 

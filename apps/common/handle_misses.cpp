@@ -105,6 +105,18 @@ std::string handle_table(const nlohmann::json& handles, const nlohmann::json& mi
                      "class=\"wide\"");
 }
 
+std::string largest_miss_text(const std::vector<HandleMiss>& misses, double diagonal) {
+  constexpr double rounding = 1e-9;
+  const auto worst =
+      std::max_element(misses.begin(), misses.end(),
+                       [](const HandleMiss& a, const HandleMiss& b) { return a.largest < b.largest; });
+  if (worst == misses.end() || !(worst->largest > rounding * diagonal)) return {};
+  std::string text = formatted("handles miss their targets by %.3g at most", worst->largest);
+  if (worst->size > 0)
+    text += formatted(" (%.2g %% of the size of '", 100 * worst->share()) + worst->name + "')";
+  return text;
+}
+
 std::vector<std::string> miss_warnings(const std::vector<HandleMiss>& misses, double diagonal) {
   std::vector<std::string> warnings;
   for (const HandleMiss& miss : misses)

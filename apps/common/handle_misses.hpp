@@ -34,6 +34,10 @@ std::string handle_table(const nlohmann::json& handles, const nlohmann::json& mi
 
 nlohmann::json misses_json(const std::vector<HandleMiss>& misses);
 
+/// "handles miss their targets by 0.05 at most (50 % of the size of 'disc')"; empty where no handle has a
+/// node, or none misses by more than rounding.
+std::string largest_miss_text(const std::vector<HandleMiss>& misses, double diagonal);
+
 /// Says of each handle that misses by more than a tenth of its size, or by more than a fiftieth of the body's
 /// diagonal, how far it is off, and whether it has collapsed; empty where none does.
 std::vector<std::string> miss_warnings(const std::vector<HandleMiss>& misses, double diagonal);

@@ -132,14 +132,29 @@ Json handle_from_text(const std::string& text, Holding holding) {
 }
 
 std::string handle_help(Holding holding) {
+  const char* const how = holding == Holding::hard ? "  soft=WEIGHT                   holds it softly\n"
+                                                   : "  hard                          is held exactly\n";
   return std::string(
-             "Handles: SELECTION[;KEY=VALUE...], in quotes for the shell's sake\n"
-             "  SELECTION  all | slab:AXIS,min|max,FRACTION | box:X,Y,Z,X,Y,Z | sphere:X,Y,Z,RADIUS |\n"
-             "             segment:X,Y,Z,X,Y,Z,DISTANCE | vertices:N[,N...] | nearest:X,Y,Z |\n"
-             "             patch:X,Y,Z,DISTANCE | group:NAME\n"
-             "  KEY=VALUE  translate=X,Y,Z | rotate=X,Y,Z:DEGREES | scale=S | center=X,Y,Z | ") +
-         (holding == Holding::hard ? "soft=WEIGHT" : "hard") +
-         " | name=TEXT\n  In the plane points have two numbers, and rotate=DEGREES.\n";
+             "A part of the body and how it moves. Without a motion\n"
+             "it is held where it is. May be repeated. In quotes:\n"
+             "SELECTION[;KEY=VALUE...], where SELECTION is\n"
+             "  all                           every vertex\n"
+             "  slab:AXIS,min|max,FRACTION    one end of the box\n"
+             "  box:X,Y,Z,X,Y,Z               between two corners\n"
+             "  sphere:X,Y,Z,RADIUS           in a ball\n"
+             "  segment:X,Y,Z,X,Y,Z,DISTANCE  near a line, a bone\n"
+             "  patch:X,Y,Z,DISTANCE          along the surface\n"
+             "  nearest:X,Y,Z                 nearest to a point\n"
+             "  vertices:N[,N...]             by number, from 0\n"
+             "  group:NAME                    a group in the file\n"
+             "and KEY=VALUE is\n"
+             "  translate=X,Y,Z               moves by that much\n"
+             "  rotate=X,Y,Z:DEGREES          turns about an axis\n"
+             "  scale=S                       grows to S times\n"
+             "  center=X,Y,Z                  of turning, growing\n") +
+         how +
+         "  name=TEXT                     is called in reports\n"
+         "In the plane points have two numbers: rotate=DEGREES.";
 }
 
 }  // namespace isostretch::app

@@ -28,6 +28,9 @@ std::string wrapped_line(const std::string& line, std::size_t width, std::size_t
 
 std::string names_of(const CLI::Option& option, bool is_positional) {
   std::string names = option.get_name(is_positional, !is_positional);
+  // What a flag stands for that is given without a value, --weld{0.0}, is nothing to type.
+  if (const std::size_t brace = names.find('{'); brace != std::string::npos)
+    names.erase(brace, names.find('}', brace) + 1 - brace);
   if (option.get_type_size() != 0) names += " " + option.get_type_name();
   return names;
 }

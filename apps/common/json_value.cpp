@@ -87,12 +87,16 @@ Json read_json_file(const std::filesystem::path& file) {
   std::ostringstream text;
   if (!std::filesystem::is_regular_file(file) || !in || !(text << in.rdbuf()))
     throw Error(file.string() + ": cannot be read");
+  return parse_json(text.str(), file.string());
+}
+
+Json parse_json(const std::string& text, const std::string& name) {
   try {
-    return parsed(text.str());
+    return parsed(text);
   } catch (const Json::exception& error) {  // wrong grammar, and numbers that no double can hold
-    throw Error(file.string() + ": " + without_number(error.what()));
+    throw Error(name + ": " + without_number(error.what()));
   } catch (const Error& error) {
-    throw Error(file.string() + ": " + error.what());
+    throw Error(name + ": " + error.what());
   }
 }
 

@@ -18,6 +18,8 @@ namespace isostretch::app {
 
 // Throws Error naming file, line and column. // and /* */ comments are allowed.
 Json read_json_file(const std::filesystem::path& file);
+/// Parses text as read_json_file() does; `name` stands for the file in messages.
+Json parse_json(const std::string& text, const std::string& name);
 
 // A value inside a JSON document that knows its path, "handles[1].rotate.axis", and names it in every
 // message. The document must live longer.

@@ -24,12 +24,14 @@ std::string animation_text(const Json& frames) {
 
 ExitCode conclude(const std::string& verdict, ExitCode code, const OutputFolder& folder,
                   const std::filesystem::path& out, bool verbose) {
-  print(verdict + "\n");
   if (verbose)
     for (const auto& path : folder.paths()) print("wrote " + path.string() + "\n");
   else
     print(formatted("wrote %zu files to ", folder.paths().size()) + out.string() + "\n");
-  if (code != ExitCode::success) report_error(verdict);
+  if (code == ExitCode::success)
+    print(verdict + "\n");
+  else
+    report_error(verdict);
   return code;
 }
 

@@ -24,8 +24,8 @@ int count_frames(const Json& frames, const Counts& counts) {
 // pvd_text() of their "file" and "time".
 std::string animation_text(const Json& frames);
 
-// Prints the verdict and what was written, and repeats the verdict as an error unless the code is success;
-// returns the code.
+// Prints what was written and, in the last line, the verdict, as an error unless the code is success; returns
+// the code.
 ExitCode conclude(const std::string& verdict, ExitCode code, const OutputFolder& folder,
                   const std::filesystem::path& out, bool verbose);
 

@@ -40,7 +40,7 @@ void SolverFlags::declare(CLI::App& cli, const std::string& unit) {
   cli.option_defaults()->group("Solver");
   const newton::Options defaults;
   cli.add_option("--projection", projection_,
-                 "How the Hessian is made definite: " + listed(newton::projection_names()))
+                 "How the Hessian is made positive definite: " + listed(newton::projection_names()))
       ->check(one_of(newton::projection_names()))
       ->type_name("NAME")
       ->default_str(std::string(newton::projection_name(defaults.projection)));
@@ -48,28 +48,33 @@ void SolverFlags::declare(CLI::App& cli, const std::string& unit) {
                  "Stop at |gradient|_inf <= this" + unit + "; default: a test that adapts to the scale")
       ->check(positive())
       ->type_name("X");
-  cli.add_option("--max-iterations", max_iterations_, "Stop after so many")
+  cli.add_option("--max-iterations", max_iterations_, "Stop a solve after so many Newton iterations")
       ->check(whole_number_between(0, 1'000'000'000))
       ->type_name("N")
       ->default_str(std::to_string(defaults.max_iterations));
   cli.add_option("--max-expansion", max_expansion_,
-                 "Lengthen steps that gain more than promised up to this; 1: never")
+                 "Let steps that gain more than promised grow up to this factor; 1: never")
       ->check(number_between(1.0, 1e6))
       ->type_name("X")
       ->default_str(to_text(defaults.max_expansion));
   cli.add_option("--time-limit", time_limit_, "Stop after so many seconds; 0: no limit")
       ->check(not_negative())
       ->type_name("SECONDS");
-  cli.add_option("--solver", solver_, listed(solver_names()))->type_name("NAME")->default_str("automatic");
-  cli.add_option("--ordering", ordering_, listed(ordering_names()))
+  cli.add_option("--solver", solver_, "Solver of the linear systems: " + listed(solver_names()))
       ->type_name("NAME")
       ->default_str("automatic");
-  cli.add_option("--preconditioner", preconditioner_, "Of --solver pcg: " + listed(preconditioner_names()))
+  cli.add_option("--ordering", ordering_,
+                 "Order in which direct solvers eliminate unknowns: " + listed(ordering_names()))
+      ->type_name("NAME")
+      ->default_str("automatic");
+  cli.add_option("--preconditioner", preconditioner_,
+                 "Preconditioner of --solver pcg: " + listed(preconditioner_names()))
       ->check(one_of(preconditioner_names()))
       ->type_name("NAME")
       ->default_str(std::string(sparse::preconditioner_name(defaults.solver.pcg_preconditioner)));
-  cli.add_option("--largest-forcing", largest_forcing_,
-                 "Of iterative solvers: relative residual at first; 0: always full accuracy")
+  cli.add_option(
+         "--largest-forcing", largest_forcing_,
+         "How inexact (relative residual) the first steps of iterative solvers may be; 0: always exact")
       ->check(number_between(0.0, 0.99))
       ->type_name("X")
       ->default_str(to_text(defaults.largest_forcing));

@@ -67,11 +67,12 @@ void CommandLine::declare_problems(CLI::App& cli) {
                      "Parameters of the energies that have them: name=value[,name=value...]; may be repeated")
           ->allow_extra_args(false)
           ->type_name("NAME=VALUE");
-  cli.add_option("--scene", scene_file_, "Instead of meshes: problems and settings (JSON)")
-      ->excludes(meshes)
-      ->excludes(energy)
-      ->excludes(parameters)
-      ->type_name("FILE");
+  auto* scene = cli.add_option("--scene", scene_file_,
+                               "Instead of meshes: problems and settings (JSON), or the name of a scene that "
+                               "comes with the program");
+  take_scene_names(*scene, embedded_scenes());
+  declare_scene_list(cli, embedded_scenes());
+  scene->excludes(meshes)->excludes(energy)->excludes(parameters)->type_name("FILE");
   cli.add_option("-o,--out", out_, "Folder for report.html, comparison.json, tables, plots, and all runs")
       ->required()
       ->type_name("FOLDER");
@@ -161,10 +162,10 @@ void CommandLine::add_problems(Json& scene) const {
 }
 
 Json CommandLine::scene() const {
+  Json scene = scene_object(scene_file_, scene_keys(), embedded_scenes());
   if (!scene_file_.empty() && !is_scene_file(scene_file_))
     throw Failure(ExitCode::command_line,
                   "--scene: a scene is FILE.json, not '" + scene_file_.string() + "'");
-  Json scene = scene_object(scene_file_, scene_keys());
   if (scene_file_.empty()) {
     if (meshes_.empty())
       throw Failure(ExitCode::command_line, "there is nothing to compare on: give a mesh, or --scene");

@@ -31,35 +31,56 @@ void CommandLine::declare(CLI::App& cli) {
 
 void CommandLine::declare_files(CLI::App& cli) {
   cli.option_defaults()->group("Files");
-  std::string input_help = "Solid elements (MSH, MESH, VTK, VTU, NODE), a flat surface, or a scene (JSON)";
+  std::string input_help =
+      "Body: solid elements (MSH, MESH, VTK, VTU, NODE) or a flat surface; or a scene (JSON), which names "
+      "body and handles";
   cli.add_option("input", input_, input_help)->required()->type_name("FILE");
-  cli.add_option("-o,--out", out_, "Folder for frames, summary.json, trace.csv, deform.png, report.html")
-      ->required()
+  cli.add_option("-o,--out", out_,
+                 "Folder for all results: frames, summary.json, trace.csv, deform.png, report.html. Required "
+                 "but for --check")
       ->type_name("FOLDER");
-  cli.add_flag("--restart", restart_, "Go on after the last good frame in that folder");
-  cli.add_option("--stop-after", stop_after_, "End after so many frames of this run; --restart goes on")
+  declare_look(cli, look_);
+  auto* restart = cli.add_flag("--restart", restart_,
+                               "Go on after the last good frame in --out, for a run that was stopped");
+  restart->excludes(cli.get_option("--check"))->excludes(cli.get_option("--preview"));
+  cli.add_option("--stop-after", stop_after_,
+                 "End this run after so many frames, to go on with --restart later")
       ->check(whole_number_between(0, 1'000'000))
       ->type_name("N");
-  cli.add_option("--format", format_, "Of the frames: " + listed(all_names(frame_format_names)))
+  cli.add_option("--format", format_, "File format of the frames: " + listed(all_names(frame_format_names)))
       ->check(one_of(all_names(frame_format_names)))
       ->type_name("NAME")
       ->default_str("vtu");
   repair_flags_.declare(cli);
-  cli.add_flag("--glb", glb_, "Also write deform.glb: the frames as morph targets (shape keys), animated");
-  cli.add_flag("--no-picture", no_picture_, "Do not draw deform.png, and write no report.html");
+  cli.add_flag("--glb", glb_,
+               "Also write deform.glb, an animation for Blender and game engines: the frames are morph "
+               "targets (shape keys)");
+  auto* no_picture =
+      cli.add_flag("--no-picture", no_picture_,
+                   "Draw no deform.png and write no report.html, which saves time on large bodies");
+  no_picture->excludes(cli.get_option("--preview"));
 }
 
 void CommandLine::declare_scene(CLI::App& cli) {
   cli.option_defaults()->group("Scene");
-  cli.add_option("-e,--energy", energy_, "Distortion energy; --list-energies shows all")
+  cli.add_option("-e,--energy", energy_,
+                 "Distortion energy that is minimised: how the body resists; --list-energies shows all")
       ->type_name("NAME")
       ->default_str("arap");
   cli.add_option("-p,--param", parameters_,
-                 "Parameters of the energy: name=value[,name=value...]; may be repeated")
+                 "Set parameters of the energy: name=value[,name=value...]; may be repeated")
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
-  cli.add_option("--young", young_, "Young's modulus")->check(positive())->type_name("E");
-  cli.add_option("--poisson", poisson_, "Poisson's ratio")->check(number_between(-1.0, 0.5))->type_name("NU");
+  cli.add_option("--young", young_,
+                 "Young's modulus: how stiff the material is. With --poisson it sets the parameters of an "
+                 "energy that is a material")
+      ->check(positive())
+      ->type_name("E");
+  cli.add_option(
+         "--poisson", poisson_,
+         "Poisson's ratio: how much the material thins when it is stretched; near 0.5 it keeps its volume")
+      ->check(number_between(-1.0, 0.5))
+      ->type_name("NU");
   cli.add_flag_callback(
          "--list-energies",
          [] {
@@ -68,21 +89,28 @@ void CommandLine::declare_scene(CLI::App& cli) {
          },
          "List the energies and their parameters, and exit")
       ->trigger_on_parse();
-  cli.add_option("--handle", handles_, handle_help(Holding::hard) + "May be repeated")
+  cli.add_option("--handle", handles_, handle_help(Holding::hard))
       ->allow_extra_args(false)
       ->type_name("HANDLE");
-  cli.add_option("--frames", frames_, "Steps from rest to the end of the motion")
+  cli.add_option(
+         "--frames", frames_,
+         "Number of steps from rest to the end of the motion. More are slower and survive larger motions")
       ->check(whole_number_between(1, 1'000'000))
       ->type_name("N")
       ->default_str(std::to_string(10));
-  cli.add_option("--guess", guess_, "Start of every frame: " + listed(all_names(guess_names)))
+  cli.add_option("--guess", guess_,
+                 "Shape that the solver starts every frame from: " + listed(all_names(guess_names)))
       ->check(one_of(all_names(guess_names)))
       ->type_name("NAME")
       ->default_str(name_of(guess_names, Guess::biharmonic));
-  cli.add_option("--order", order_, "2: quadratic elements of the file's linear ones")
+  cli.add_option(
+         "--order", order_,
+         "2 makes quadratic elements of the linear ones in the file: slower, but bending is not too stiff")
       ->check(whole_number_between(1, 2))
       ->type_name("N");
-  cli.add_option("--quadrature", quadrature_, "Degree that the quadrature of the elements integrates exactly")
+  cli.add_option("--quadrature", quadrature_,
+                 "Degree of the polynomials that are integrated exactly over an element; higher is slower "
+                 "and more exact")
       ->check(whole_number_between(1, 5))
       ->type_name("N");
 }
@@ -95,6 +123,8 @@ Options CommandLine::options() const {
   return failing_with(ExitCode::command_line, [this] {
     Options options;
     options.out = out_;
+    options.look = look_;
+    if (out_.empty() && !look_.check) throw Error("--out: a folder for the results is needed");
     options.restart = restart_;
     options.stop_after = stop_after_;
     options.picture = !no_picture_;
@@ -124,7 +154,7 @@ void CommandLine::add_handles(Json& scene) const {
   failing_with(ExitCode::command_line, [&] {
     for (const std::string& text : handles_)
       scene["handles"].push_back(handle_from_text(text, Holding::hard));
-    if (has_scene_file()) return;  // what it lacks is said when its turn comes
+    if (has_scene_file() || look_.check) return;  // what it lacks is said when its turn comes
     if (!scene.contains("handles")) throw Error("--handle: there must be one at least");
   });
 }

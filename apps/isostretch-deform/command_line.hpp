@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/look_flags.hpp"
 #include "common/output_folder.hpp"
 #include "common/repair_flags.hpp"
 #include "common/scene_input.hpp"
@@ -48,6 +49,7 @@ class CommandLine {
   std::vector<std::string> parameters_, handles_;
   SolverFlags solver_flags_;
   RepairFlags repair_flags_;
+  LookFlags look_;
   int stop_after_ = -1;
   bool restart_ = false, no_picture_ = false, glb_ = false;
 };

@@ -1,10 +1,13 @@
 #include "deform.hpp"
 
 #include "common/animation.hpp"
+#include "common/body_check.hpp"
+#include "common/body_reader.hpp"
 #include "common/formatted.hpp"
 #include "common/handle_misses.hpp"
 #include "common/interrupt.hpp"
 #include "common/newton_report.hpp"
+#include "common/preview.hpp"
 #include "common/rig_figure.hpp"
 #include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
@@ -20,6 +23,18 @@
 
 namespace isostretch::app::deform {
 namespace {
+
+BodySpec read_spec(const CommandLine& command_line, const Json& scene) {
+  const std::filesystem::path folder = scene_folder(command_line.input());
+  BodySpec spec = reading_scene(command_line.input(), [&] { return read_body_spec(scene, folder); });
+  spec.repair = command_line.repair();
+  return spec;
+}
+
+ExitCode check(const CommandLine& command_line) {
+  const BodySpec spec = read_spec(command_line, command_line.scene());
+  return print_check(reading_body(command_line.input(), spec, [&] { return check_body(spec); }));
+}
 
 class Job {
  public:
@@ -42,6 +57,9 @@ class Job {
     warn_of_loose_components();
   }
 
+  // The handles, before anything is solved.
+  ExitCode preview() { return show_preview({rig_, body_, scene_.script.end}, options_.out); }
+
   ExitCode run() {
     State state = options_.restart ? restored() : State();
     OutputFolder folder(options_.out);
@@ -55,11 +73,8 @@ class Job {
 
  private:
   Body read_body(const CommandLine& command_line) {
-    const std::filesystem::path parent = scene_folder(command_line.input());
-    BodySpec spec = reading_scene(command_line.input(), [&] { return read_body_spec(json_, parent); });
-    spec.repair = command_line.repair();
-    if (spec.generated) return reading_scene(command_line.input(), [&] { return load_body(spec); });
-    return failing_with(ExitCode::input, [&] { return load_body(spec); });
+    const BodySpec spec = read_spec(command_line, json_);
+    return reading_body(command_line.input(), spec, [&] { return load_body(spec); });
   }
 
   void warn_of_loose_components() {
@@ -209,7 +224,10 @@ class Job {
 }  // namespace
 
 ExitCode deform(const CommandLine& command_line, const CommonOptions& common) {
-  return Job(command_line, common).run();
+  const LookFlags look = command_line.options().look;
+  if (look.check) return check(command_line);
+  Job job(command_line, common);
+  return look.preview ? job.preview() : job.run();
 }
 
 }  // namespace isostretch::app::deform

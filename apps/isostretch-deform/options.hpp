@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/look_flags.hpp"
+
 #include <filesystem>
 
 namespace isostretch::app::deform {
@@ -12,6 +14,7 @@ struct Options {
   double time_limit = 0;  // seconds; 0: none
   bool picture = true;
   bool glb = false;
+  LookFlags look;
 };
 
 }  // namespace isostretch::app::deform

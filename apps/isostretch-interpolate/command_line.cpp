@@ -2,6 +2,7 @@
 
 #include "common/energy_choice.hpp"
 #include "common/exit_code.hpp"
+#include "common/look_flags.hpp"
 #include "common/validators.hpp"
 
 #include <CLI/CLI.hpp>
@@ -33,33 +34,39 @@ void CommandLine::declare_files(CLI::App& cli) {
   cli.add_option("first", first_, "First pose: solid elements (MSH, MESH, VTK, VTU, NODE) or a flat surface")
       ->required()
       ->type_name("FILE");
-  cli.add_option("second", second_, "Second pose: the same vertices and elements in the same order")
+  cli.add_option("second", second_,
+                 "Second pose: the same vertices and elements in the same order, elsewhere")
       ->required()
       ->type_name("FILE");
-  cli.add_option("-o,--out", out_, "Folder for frames, summary.json, trace.csv, pictures, report.html")
-      ->required()
+  cli.add_option("-o,--out", out_,
+                 "Folder for all results: frames, summary.json, trace.csv, pictures, report.html. Required "
+                 "but for --check")
       ->type_name("FOLDER");
-  cli.add_option("--frames", frames_, "Steps from the first pose to the second")
+  declare_check(cli, check_, true);
+  cli.add_option("--frames", frames_, "Number of steps from the first pose to the second")
       ->check(whole_number_between(1, 1'000'000))
       ->type_name("N")
       ->capture_default_str();
-  cli.add_option("--format", format_, "Of the frames: " + listed(all_names(frame_format_names)))
+  cli.add_option("--format", format_, "File format of the frames: " + listed(all_names(frame_format_names)))
       ->check(one_of(all_names(frame_format_names)))
       ->type_name("NAME")
       ->capture_default_str();
   repair_flags_.declare(cli);
   cli.add_flag("--glb", glb_,
-               "Also write interpolation.glb: the frames as morph targets (shape keys), animated");
-  cli.add_flag("--no-picture", no_pictures_, "Draw no pictures, and write no report.html");
+               "Also write interpolation.glb, an animation for Blender and game engines: the frames are "
+               "morph targets (shape keys)");
+  cli.add_flag("--no-picture", no_pictures_,
+               "Draw no pictures and write no report.html, which saves time on large bodies");
 }
 
 void CommandLine::declare_energy(CLI::App& cli) {
   cli.option_defaults()->group("Energy and start");
-  cli.add_option("-e,--energy", energy_, "Distortion energy; --list-energies shows all")
+  cli.add_option("-e,--energy", energy_,
+                 "Distortion energy that the frames minimise; --list-energies shows all")
       ->type_name("NAME")
       ->capture_default_str();
   cli.add_option("-p,--param", parameters_,
-                 "Parameters of the energy: name=value[,name=value...]; may be repeated")
+                 "Set parameters of the energy: name=value[,name=value...]; may be repeated")
       ->allow_extra_args(false)
       ->type_name("NAME=VALUE");
   cli.add_flag_callback(
@@ -70,7 +77,8 @@ void CommandLine::declare_energy(CLI::App& cli) {
          },
          "List the energies and their parameters, and exit")
       ->trigger_on_parse();
-  cli.add_option("--guess", guess_, "Start of every frame: " + listed(all_names(guess_names)))
+  cli.add_option("--guess", guess_,
+                 "Shape that the solver starts every frame from: " + listed(all_names(guess_names)))
       ->check(one_of(all_names(guess_names)))
       ->type_name("NAME")
       ->capture_default_str();
@@ -82,6 +90,8 @@ Options CommandLine::options() const {
     options.first = first_;
     options.second = second_;
     options.out = out_;
+    options.check = check_;
+    if (out_.empty() && !check_) throw Error("--out: a folder for the results is needed");
     options.repair = repair_flags_.repair();
     options.frames = frames_;
     options.energy = energy_;

@@ -34,7 +34,7 @@ class CommandLine {
   std::vector<std::string> parameters_;
   SolverFlags solver_flags_;
   RepairFlags repair_flags_;
-  bool no_pictures_ = false, glb_ = false;
+  bool no_pictures_ = false, glb_ = false, check_ = false;
 };
 
 }  // namespace isostretch::app::interpolate

@@ -157,6 +157,8 @@ class Job {
 }  // namespace
 
 ExitCode interpolate(const CommandLine& command_line, const CommonOptions& common) {
+  const Options options = command_line.options();
+  if (options.check) return check_poses(options.first, options.second, options.repair);
   return Job(command_line, common).run();
 }
 

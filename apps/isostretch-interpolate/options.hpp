@@ -42,6 +42,7 @@ struct Options {
   FrameFormat format = FrameFormat::vtu;
   bool pictures = true;
   bool glb = false;
+  bool check = false;                       // look at the poses, and make nothing
   newton::Options newton = frame_solver();  // its time limit is that of all frames together
 
   // The last frame is exactly at 1.

@@ -1,6 +1,8 @@
 #include "poses.hpp"
 
+#include "common/body_check.hpp"
 #include "common/formatted.hpp"
+#include "common/terminal.hpp"
 
 #include <isostretch/core/error.hpp>
 
@@ -47,6 +49,11 @@ void require_same_plane(const Poses& poses, const std::string& first, const std:
     throw Error(second + " lies in another plane than " + first);
 }
 
+void require_pair(const Poses& poses, const std::string& first, const std::string& second) {
+  require_same_connectivity(poses, first, second);
+  require_same_plane(poses, first, second);
+}
+
 }  // namespace
 
 Poses read_poses(const std::filesystem::path& first, const std::filesystem::path& second,
@@ -56,9 +63,30 @@ Poses read_poses(const std::filesystem::path& first, const std::filesystem::path
   a.file = first;
   b.file = second;
   Poses poses{load_body(a), load_body(b)};
-  require_same_connectivity(poses, first.string(), second.string());
-  require_same_plane(poses, first.string(), second.string());
+  require_pair(poses, first.string(), second.string());
   return poses;
+}
+
+ExitCode check_poses(const std::filesystem::path& first, const std::filesystem::path& second,
+                     const MeshRepair& repair) {
+  return failing_with(ExitCode::input, [&] {
+    BodySpec spec;
+    spec.repair = repair;
+    spec.file = first;
+    BodyCheck a = check_body(spec);
+    spec.file = second;
+    BodyCheck b = check_body(spec);
+    const ExitCode codes[] = {print_check(a), print_check(b)};
+    if (codes[0] != ExitCode::success || codes[1] != ExitCode::success) return ExitCode::input;
+    try {
+      require_pair({std::move(*a.body), std::move(*b.body)}, first.string(), second.string());
+    } catch (const Error& error) {
+      print(std::string("The poses do not belong together: ") + error.what() + "\n");
+      return ExitCode::input;
+    }
+    print("The poses belong together.\n");
+    return ExitCode::success;
+  });
 }
 
 }  // namespace isostretch::app::interpolate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/body.hpp"
+#include "common/exit_code.hpp"
 
 #include <filesystem>
 
@@ -15,5 +16,9 @@ struct Poses {
 // is not the same in both; for flat poses that lie in different planes.
 Poses read_poses(const std::filesystem::path& first, const std::filesystem::path& second,
                  const MeshRepair& repair);
+
+/// Prints what is to be known of both poses, and whether they belong together: ExitCode::input if not.
+ExitCode check_poses(const std::filesystem::path& first, const std::filesystem::path& second,
+                     const MeshRepair& repair);
 
 }  // namespace isostretch::app::interpolate

@@ -64,104 +64,127 @@ void CommandLine::declare(CLI::App& cli) {
 
 void CommandLine::declare_files(CLI::App& cli) {
   cli.option_defaults()->group("Files");
-  cli.add_option("input", input_, "Tets (MSH, MESH, VTK, VTU, NODE), a flat surface, or a scene (JSON)")
-      ->type_name("FILE");
+  auto* input = cli.add_option("input", input_,
+                               "Body: tets (MSH, MESH, VTK, VTU, NODE) or a flat surface; or a scene (JSON), "
+                               "which names body and handles; or the name of one of --list-scenes")
+                    ->type_name("FILE");
+  take_scene_names(*input, embedded_scenes());
+  declare_scene_list(cli, embedded_scenes());
   cli.add_option("-o,--out", out_,
-                 "Folder for frames, summary.json, trace.csv, manipulate.png, path.png, report.html")
-      ->required()
+                 "Folder for all results: frames, summary.json, trace.csv, manipulate.png, path.png, "
+                 "report.html. Required but for --check")
       ->type_name("FOLDER");
-  cli.add_option("--mesh", mesh_, "Instead of the scene's mesh")->type_name("FILE");
-  cli.add_option("--refine", refine_, "Multiplies the cells of a generated body in every direction")
+  declare_look(cli, look_);
+  cli.add_option("--mesh", mesh_, "Take this body instead of the scene's, whose handles must fit it")
+      ->type_name("FILE");
+  cli.add_option("--refine", refine_,
+                 "Make a generated body finer: so many times the cells in every direction")
       ->check(whole_number_between(1, 10'000))
       ->type_name("K");
   cli.add_option("--weights-cache", weights_cache_,
-                 "Keep handle weights in that folder, and take them from it")
+                 "Keep handle weights in that folder, and take them from it: further runs with the same body "
+                 "and handles begin faster")
       ->type_name("FOLDER");
-  add_choice(cli, "--format", format_, frame_format_names, "Of the frames: ", "vtu");
+  add_choice(cli, "--format", format_, frame_format_names, "File format of the frames: ", "vtu");
   repair_flags_.declare(cli);
   cli.add_flag("--glb", glb_,
-               "Also write manipulate.glb: the frames as morph targets (shape keys), animated");
-  cli.add_flag("--no-picture", no_picture_, "Draw no pictures, and write no report.html");
+               "Also write manipulate.glb, an animation for Blender and game engines: the frames are morph "
+               "targets (shape keys)");
+  auto* no_picture =
+      cli.add_flag("--no-picture", no_picture_,
+                   "Draw no pictures and write no report.html, which saves time on large bodies");
+  no_picture->excludes(cli.get_option("--preview"));
 }
 
 void CommandLine::declare_problem(CLI::App& cli) {
   cli.option_defaults()->group("Problem");
-  cli.add_option("--handle", handles_, handle_help(Holding::soft) + "May be repeated")
+  cli.add_option("--handle", handles_, handle_help(Holding::soft))
       ->allow_extra_args(false)
       ->type_name("HANDLE");
   cli.add_option("--frames", frames_,
-                 "N: from rest to the end of the motion; FIRST:LAST: only these of the scene's")
+                 "N steps from rest to the end of the motion; or only the frames FIRST to LAST of the "
+                 "scene's, to share them between machines")
       ->type_name("N|FIRST:LAST")
       ->default_str("1");
-  cli.add_option("--alpha", alpha_, "Weight of the soft handles")
+  cli.add_option(
+         "--alpha", alpha_,
+         "Weight of the soft handles against the distortion: more brings them closer to their targets")
       ->check(positive())
       ->type_name("X")
       ->default_str("1e4");
-  cli.add_flag("--absolute", absolute_, "Lengths are those of the mesh, not shares of its diagonal");
-  add_choice(cli, "--weights", weights_, weights_names,
-             "Of the elements: ", name_of(weights_names, Weights::volume));
-  cli.add_option("--incompressibility", incompressibility_, "kappa")
+  cli.add_flag(
+      "--absolute", absolute_,
+      "Weigh handles by lengths of the mesh instead of shares of its diagonal, as published scenes do");
+  add_choice(
+      cli, "--weights", weights_, weights_names,
+      "How much an element counts: its volume, or all the same: ", name_of(weights_names, Weights::volume));
+  cli.add_option("--incompressibility", incompressibility_,
+                 "Weight of the term that keeps volume (kappa): above 0 for bodies like rubber or flesh")
       ->check(not_negative())
       ->type_name("X")
       ->default_str("0");
-  cli.add_option("--margin", margin_, "Least eigenvalue that S may have, below 1")
+  cli.add_option("--margin", margin_,
+                 "Keep lengths from shrinking below about this share (the least eigenvalue of S), against "
+                 "elements that are all but flat; below 1")
       ->check(not_negative())
       ->check(number_between(0.0, 0.999999))
       ->type_name("X")
       ->default_str("0");
-  cli.add_option("--largest-stretch", largest_stretch_, "Largest factor by which a length may grow, above 1")
+  cli.add_option("--largest-stretch", largest_stretch_,
+                 "Forbid that a length grows by more than this factor, above 1; for --method interior_point")
       ->check(positive())
       ->check(number_between(1.000001, 1e300))
       ->type_name("X")
       ->default_str("none");
   cli.add_option("--relinearize", relinearize_,
-                 "At most so many rounds more, each with the rotations of the result before as ex-rotations")
+                 "Solve again up to so many times, with the rotations of the result before, for shapes that "
+                 "bend more naturally")
       ->check(whole_number_between(0, 1'000'000))
       ->type_name("N")
       ->default_str("0");
   add_choice(cli, "--rotations", rotations_, rotations_names,
-             "Ex-rotations of the elements: ", name_of(rotations_names, Rotations::biharmonic));
+             "Rotations that elements are to follow: blended smoothly from those of the handles, or none: ",
+             name_of(rotations_names, Rotations::biharmonic));
   add_choice(cli, "--blend", blend_, blend_names,
-             "Of the handles' rotations: ", "angle in the plane, else quaternion");
+             "How rotations of handles are blended: ", "angle in the plane, else quaternion");
 }
 
 void CommandLine::declare_solvers(CLI::App& cli) {
   cli.option_defaults()->group("Solver and rivals");
-  cli.add_option("--method", method_, listed(method_names()))
+  cli.add_option("--method", method_, "Algorithm that solves the convex problem: " + listed(method_names()))
       ->check(one_of(method_names()))
       ->type_name("NAME")
       ->default_str(std::string(sdp_penalty::method_name(sdp_penalty::Options().method)));
-  cli.add_option("--penalty", penalty_, "Of --method penalty: " + listed(penalty_names()))
+  cli.add_option("--penalty", penalty_, "Penalty of --method penalty: " + listed(penalty_names()))
       ->check(one_of(penalty_names()))
       ->type_name("NAME")
       ->default_str(std::string(sdp_penalty::penalty_name(sdp_penalty::PenaltyOptions().penalty)));
-  cli.add_option("--gap", gap_, "Stop when nothing better by more than this share exists")
+  cli.add_option("--gap", gap_, "Stop when it is proved that no result is better by more than this share")
       ->check(positive())
       ->check(number_between(1e-16, 0.999999))
       ->type_name("X")
       ->default_str("1e-6");
-  cli.add_option("--max-iterations", max_iterations_, "Of a frame")
+  cli.add_option("--max-iterations", max_iterations_, "Stop a frame after so many iterations")
       ->check(whole_number_between(1, 1'000'000'000))
       ->type_name("N");
-  cli.add_option("--solver", solver_, "Instead of a method, one of the rivals: " + listed(solver_names()))
+  cli.add_option("--solver", solver_,
+                 "Solve with one of the rivals instead of --method: " + listed(solver_names()))
       ->check(one_of(solver_names()))
       ->type_name("NAME");
-  auto* compare =
-      cli.add_option(
-             "--compare", compare_,
-             "Run many solvers on the last frame, each in a process of its own: all, convex, nearby, or "
-             "names with commas")
-          ->type_name("NAMES");
-  for (const char* flag : {"--solver", "--method", "--penalty", "--relinearize"})
+  auto* compare = cli.add_option("--compare", compare_,
+                                 "Run many solvers on the last frame and compare their times and results: "
+                                 "all, convex, nearby, or "
+                                 "names with commas")
+                      ->type_name("NAMES");
+  for (const char* flag : {"--solver", "--method", "--penalty", "--relinearize", "--check", "--preview"})
     compare->excludes(cli.get_option(flag));
-  cli.add_option("--repeat", repetitions_, "Of --compare: runs of each solver; the median counts")
+  cli.add_option("--repeat", repetitions_, "Run each solver of --compare so many times; the median counts")
       ->needs(compare)
       ->check(whole_number_between(1, 1000))
       ->type_name("N")
       ->default_str("1");
   cli.add_option("--memory-limit", memory_limit_,
-                 "Megabytes for the process of --solver and its programs, or of each with --compare; "
-                 "0: no limit")
+                 "End a rival, of --solver or --compare, that takes more megabytes; 0: no limit")
       ->check(not_negative())
       ->type_name("MB");
   cli.add_option("--time-limit", time_limit_, "Stop after so many seconds; 0: no limit")
@@ -171,14 +194,16 @@ void CommandLine::declare_solvers(CLI::App& cli) {
 
 void CommandLine::declare_photo(CLI::App& cli) {
   cli.option_defaults()->group("Photograph");
-  cli.add_option("--photo", photo_, "Picture (PNG) that the mesh covers; drawn deformed with every frame")
+  cli.add_option("--photo", photo_,
+                 "Picture (PNG) that lies on a flat body and is drawn deformed with every frame")
       ->type_name("FILE");
   cli.add_option("--photo-cells", photo_cells_,
-                 "Instead of a mesh: a grid with so many cells on its longer side")
+                 "Make the mesh: a grid over the picture, so many cells along its longer side")
       ->check(whole_number_between(1, 100'000))
       ->type_name("N");
   add_choice(cli, "--photo-fit", photo_fit_, photo_fit_names,
-             "How it lies on the mesh: ", name_of(photo_fit_names, PhotoFit::box));
+             "How the picture lies on the mesh: filling its box, or one unit a pixel: ",
+             name_of(photo_fit_names, PhotoFit::box));
 }
 
 MeshRepair CommandLine::repair() const {
@@ -189,6 +214,8 @@ Options CommandLine::options() const {
   return failing_with(ExitCode::command_line, [this] {
     Options options;
     options.out = out_;
+    options.look = look_;
+    if (out_.empty() && !look_.check) throw Error("--out: a folder for the results is needed");
     options.time_limit = time_limit_;
     options.memory_limit = memory_limit_;
     options.compare = compare_;
@@ -226,7 +253,7 @@ void CommandLine::add_handles(Json& scene) const {
   failing_with(ExitCode::command_line, [&] {
     for (const std::string& text : handles_)
       scene["handles"].push_back(handle_from_text(text, Holding::soft));
-    if (has_scene_file()) return;  // what it lacks is said when its turn comes
+    if (has_scene_file() || look_.check) return;  // what it lacks is said when its turn comes
     if (!scene.contains("handles")) throw Error("--handle: there must be one at least");
   });
 }
@@ -244,7 +271,7 @@ void CommandLine::add_photo(Json& scene) const {
 }
 
 Json CommandLine::scene() const {
-  Json scene = scene_object(input_, scene_keys());
+  Json scene = scene_object(input_, scene_keys(), embedded_scenes());
   add_mesh(scene);
   try {
     add_handles(scene);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/look_flags.hpp"
 #include "common/output_folder.hpp"
 #include "common/repair_flags.hpp"
 #include "common/scene_input.hpp"
@@ -55,6 +56,7 @@ class CommandLine {
   std::optional<int> max_iterations_, relinearize_, photo_cells_;
   std::vector<std::string> handles_;
   RepairFlags repair_flags_;
+  LookFlags look_;
   int refine_ = 1, repetitions_ = 1;
   double time_limit_ = 0, memory_limit_ = 0;
   bool absolute_ = false, no_picture_ = false, glb_ = false;

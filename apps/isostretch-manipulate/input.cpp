@@ -1,22 +1,35 @@
 #include "input.hpp"
 
+#include "common/body_reader.hpp"
 #include "common/formatted.hpp"
 #include "common/scene_input.hpp"
 #include "scene_reader.hpp"
 
 namespace isostretch::app::manipulate {
+namespace {
 
-Body read_body(const CommandLine& command_line, const Json& scene) {
+BodySpec read_spec(const CommandLine& command_line, const Json& scene) {
   BodySpec spec = reading_scene(command_line.input(), [&] {
     return read_body_spec(scene, command_line.folder(), command_line.refine());
   });
   spec.repair = command_line.repair();
-  const auto load = [&] {
+  return spec;
+}
+
+}  // namespace
+
+Body read_body(const CommandLine& command_line, const Json& scene) {
+  const BodySpec spec = read_spec(command_line, scene);
+  return reading_body(command_line.input(), spec, [&] {
     Body body = load_body(spec);
     require_linear(body);
     return body;
-  };
-  return spec.generated ? reading_scene(command_line.input(), load) : failing_with(ExitCode::input, load);
+  });
+}
+
+BodyCheck check_body(const CommandLine& command_line, const Json& scene) {
+  const BodySpec spec = read_spec(command_line, scene);
+  return reading_body(command_line.input(), spec, [&] { return app::check_body(spec, require_linear); });
 }
 
 Scene read_scene(const CommandLine& command_line, const Json& scene, const Body& body) {

@@ -3,6 +3,7 @@
 #include "common/animation.hpp"
 #include "common/formatted.hpp"
 #include "common/handle_misses.hpp"
+#include "common/preview.hpp"
 #include "common/rig_figure.hpp"
 #include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
@@ -42,6 +43,13 @@ class Job {
         strain_(body_.elements),
         animation_(body_, figure_lines(rig_, body_), scene_.up),
         range_(read_range(options_, scene_)) {}
+
+  // The handles, before anything is solved.
+  ExitCode preview() {
+    if (const std::string text = loose_components_text(loose_components(rig_, body_)); !text.empty())
+      warn(text);
+    return show_preview({rig_, body_, scene_.script.time(range_.last), scene_.up}, options_.out);
+  }
 
   ExitCode run(const CommandLine& command_line) {
     OutputFolder folder(options_.out);
@@ -143,7 +151,8 @@ class Job {
                                          {"length_change", after.strain.length_change}}));
     add_frame(result, made, before, after, file);
     animation_.add(made.frame, made.time, made.positions, after.strain);
-    notice(formatted("frame %d of %d: ", made.frame, scene_.script.frames) + std::string(made.status()) +
+    notice(formatted("frame %d of %d: ", made.frame, scene_.script.frames) +
+           (made.certified() ? "certified" : std::string(made.status()) + " (" + made.summary.message + ")") +
            formatted(", %d iterations", made.summary.iterations) +
            (made.rival ? std::string() : formatted(", gap %.1e", made.summary.gap)) +
            formatted(", inverted %zu -> %zu, min det F %.2g, %.2f s", before.strain.inverted.size(),
@@ -212,7 +221,10 @@ class Job {
 }  // namespace
 
 ExitCode manipulate(const CommandLine& command_line, const CommonOptions& common) {
-  return Job(command_line, common).run(command_line);
+  const LookFlags look = command_line.options().look;
+  if (look.check) return print_check(check_body(command_line, command_line.scene()));
+  Job job(command_line, common);
+  return look.preview ? job.preview() : job.run(command_line);
 }
 
 }  // namespace isostretch::app::manipulate

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/look_flags.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,6 +23,7 @@ struct Options {
   int repetitions = 1;              // of each of them
   bool picture = true;
   bool glb = false;
+  LookFlags look;
   std::filesystem::path weights_cache;  // empty: none
 };
 

@@ -245,9 +245,15 @@ std::string verdict(const Result& r) {
         return formatted("has %d inverted element(s), the worst is ", f["inverted"].get<int>()) +
                r.body.element_text(f["min_det_F_element"].get<int>());
       });
-  if (parts.empty())
-    return r.scene.rival.empty() ? "all frames are certified, no element is inverted"
+  if (parts.empty()) {
+    const std::string good = r.scene.rival.empty()
+                                 ? "all frames are certified, no element is inverted"
                                  : "all frames are solved by " + r.scene.rival + ", no element is inverted";
+    if (r.last.positions.size() == 0) return good;
+    const std::string miss =
+        largest_miss_text(handle_misses(r.rig, r.last.time, r.body.dim, r.last.positions), r.body.diagonal());
+    return miss.empty() ? good : good + "; " + miss;
+  }
   std::string text;
   for (const std::string& part : parts) text.append(text.empty() ? "" : "; ").append(part);
   return text;

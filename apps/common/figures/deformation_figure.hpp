@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/figures/color_map.hpp"
 #include "common/figures/surface_model.hpp"
 
 #include <string>
@@ -12,6 +13,8 @@ namespace isostretch::app::figures {
 struct Marker {
   enum class Kind { dot, arrow, target } kind = Kind::dot;
   Eigen::RowVector3d from, to;  // the same for a dot
+  Color color{0.05, 0.2, 0.55};
+  double radius = 5;  ///< of a dot, in pixels
 };
 
 // One state of the body in the figure, with the same triangles in all of them.
@@ -21,6 +24,7 @@ struct DeformedState {
   std::vector<double> length_change;  // of every element, see strain.hpp
   std::vector<int> inverted;          // elements
   std::vector<Marker> markers = {};
+  std::vector<Color> triangle_colors = {};  ///< in place of those of the change of length
 };
 
 struct DeformationFigure {

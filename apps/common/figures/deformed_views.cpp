@@ -50,34 +50,32 @@ Box united(const Box& a, const Box& b) {
   return {x, y, std::max(a.right(), b.right()) - x, std::max(a.bottom(), b.bottom()) - y};
 }
 
-constexpr Color marker_color{0.05, 0.2, 0.55};
-
-void draw_arrow(Canvas& canvas, Point from, Point to) {
+void draw_arrow(Canvas& canvas, Point from, Point to, Color color) {
   constexpr double head = 9, half_width = 4;
   const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
   if (length < 2) return;
   const double ux = dx / length, uy = dy / length, reach = std::min(head, 0.6 * length);
   const Point neck{to.x - reach * ux, to.y - reach * uy};
-  canvas.line(from, neck, {.color = marker_color, .width = 2});
+  canvas.line(from, neck, {.color = color, .width = 2});
   canvas.polygon({to,
                   {neck.x - half_width * uy, neck.y + half_width * ux},
                   {neck.x + half_width * uy, neck.y - half_width * ux}},
-                 marker_color);
+                 color);
 }
 
-void draw_marker(Canvas& canvas, Marker::Kind kind, Point from, Point to) {
+void draw_marker(Canvas& canvas, const Marker& marker, Point from, Point to) {
   constexpr double ring = 4;
-  switch (kind) {
+  switch (marker.kind) {
     case Marker::Kind::dot:
-      canvas.dot(to, 5, marker_color);
+      canvas.dot(to, marker.radius, marker.color);
       break;
     case Marker::Kind::arrow:
-      draw_arrow(canvas, from, to);
+      draw_arrow(canvas, from, to, marker.color);
       break;
     case Marker::Kind::target:
-      canvas.ring(to, ring, {.color = marker_color, .width = 1.5});
+      canvas.ring(to, ring, {.color = marker.color, .width = 1.5});
       if (std::hypot(to.x - from.x, to.y - from.y) > ring)
-        canvas.line(from, to, {.color = marker_color, .width = 1.2});
+        canvas.line(from, to, {.color = marker.color, .width = 1.2});
       break;
   }
 }
@@ -155,8 +153,16 @@ class Corners {
   mesh::Points3 rest_normals_;
 };
 
+// One colour for all of a triangle, without any blend.
+std::vector<Color> of_corners(const std::vector<Color>& of_triangles) {
+  std::vector<Color> result;
+  for (const Color& color : of_triangles) result.insert(result.end(), 3, color);
+  return result;
+}
+
 std::vector<Color> colors(const DeformationFigure& figure, const DeformedState& state, const Corners& corners,
                           const DistortionScale& scale) {
+  if (!state.triangle_colors.empty()) return of_corners(state.triangle_colors);
   std::vector<double> of_triangle;
   for (const int e : figure.element) {
     const double value = scale.color_value(state.length_change[static_cast<std::size_t>(e)]);
@@ -244,7 +250,7 @@ void DeformedViews::draw(Canvas& canvas, std::size_t i, Point corner, int height
   };
   for (std::size_t m = 0; m < state.markers.size(); ++m) {
     const auto row = static_cast<Eigen::Index>(2 * m);
-    draw_marker(canvas, state.markers[m].kind, on_canvas(row), on_canvas(row + 1));
+    draw_marker(canvas, state.markers[m], on_canvas(row), on_canvas(row + 1));
   }
 }
 

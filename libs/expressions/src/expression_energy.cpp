@@ -4,6 +4,7 @@
 #include "inspection.hpp"
 #include "kernel_table.hpp"
 #include "parser.hpp"
+#include "rest_difference.hpp"
 
 #include <isostretch/core/arena.hpp>
 #include <isostretch/core/dispatch.hpp>
@@ -76,6 +77,26 @@ void run(const Program& program, Kernel kernel, int dim, double bound, const ene
   kernel[dim - 2]({program.code.data(), program.code.size(), memory, program.results.data(), bound}, chunk);
 }
 
+// How many points of a chunk have all stretches near 1.
+enum class Near { none, some, all };
+
+bool is_near_rest(int dim, const energies::StretchChunk& chunk, int point) {
+  constexpr double near = 0.1;
+  double most = 0;
+  for (int e = 0; e < dim; ++e)
+    most = std::max(
+        most,
+        std::abs(chunk.sigma[static_cast<std::size_t>(e) * chunk.stride + static_cast<std::size_t>(point)] -
+                 1));
+  return most <= near;
+}
+
+Near near_rest(int dim, const energies::StretchChunk& chunk) {
+  int count = 0;
+  for (int i = 0; i < chunk.count; ++i) count += is_near_rest(dim, chunk, i);
+  return count == 0 ? Near::none : count == chunk.count ? Near::all : Near::some;
+}
+
 std::string caret(std::string_view text, std::size_t position) {
   std::string line(text);
   for (char& c : line)
@@ -120,6 +141,9 @@ std::optional<ExpressionEnergy::Programs> ExpressionEnergy::programs_for(
   programs.ends_at_zero = ends_at_zero_determinant(graph, psi, dim);
   programs.psi = compile(graph, {psi});
   programs.by_partials = mentions.only_invariants();
+  graph.assume_finite();
+  if (const auto near_rest = RestDifferences(graph, dim)(psi))
+    programs.psi_near_rest = compile(graph, {*near_rest});
   graph.save_operations();
   const std::vector<Node> outputs = programs.by_partials ? partials(graph, psi, dim)
                                     : dim == 2           ? by_stretches<2>(graph, psi)
@@ -140,7 +164,27 @@ void ExpressionEnergy::require_used(const std::map<std::string, double>& paramet
 }
 
 void ExpressionEnergy::psi(int dim, const energies::StretchChunk& chunk) const {
-  run(programs_[dim - 2]->psi, active_expression_kernels().psi, dim, determinant_bound_, chunk);
+  const Programs& programs = *programs_[dim - 2];
+  if (!programs.psi_near_rest || near_rest(dim, chunk) != Near::all)
+    run(programs.psi, active_expression_kernels().psi, dim, determinant_bound_, chunk);
+  replace_psi_near_rest(dim, chunk);
+}
+
+// Far from rest differences from it are no better, and logarithms of what vanishes are worse: points are
+// taken one by one.
+void ExpressionEnergy::replace_psi_near_rest(int dim, const energies::StretchChunk& chunk) const {
+  const Programs& programs = *programs_[dim - 2];
+  const Near near = programs.psi_near_rest ? near_rest(dim, chunk) : Near::none;
+  if (near == Near::none) return;
+  const Kernel kernel = active_expression_kernels().psi;
+  if (near == Near::all) return run(*programs.psi_near_rest, kernel, dim, determinant_bound_, chunk);
+  thread_local std::vector<double> psi;
+  psi.resize(static_cast<std::size_t>(chunk.count));
+  energies::StretchChunk apart = chunk;
+  apart.psi = psi.data();
+  run(*programs.psi_near_rest, kernel, dim, determinant_bound_, apart);
+  for (int i = 0; i < chunk.count; ++i)
+    if (is_near_rest(dim, chunk, i)) chunk.psi[i] = psi[static_cast<std::size_t>(i)];
 }
 
 void ExpressionEnergy::derivatives(int dim, const energies::StretchChunk& chunk) const {
@@ -148,6 +192,7 @@ void ExpressionEnergy::derivatives(int dim, const energies::StretchChunk& chunk)
   const ExpressionKernels& kernels = active_expression_kernels();
   run(programs.derivatives, programs.by_partials ? kernels.from_partials : kernels.from_stretches, dim,
       determinant_bound_, chunk);
+  replace_psi_near_rest(dim, chunk);
 }
 
 energies::AnyEnergy parse_energy(std::string_view text, const std::map<std::string, double>& parameters) {

@@ -27,10 +27,13 @@ class ExpressionEnergy final : public energies::ChunkEnergy {
  private:
   struct Programs {
     Program psi, derivatives;
+    std::optional<Program>
+        psi_near_rest;         // by differences from rest; none where the energy is not finite there
     bool by_partials = false;  // derivatives are partials by invariants
     bool coupled = true;       // A has off-diagonal entries
     bool ends_at_zero = false;
   };
+  void replace_psi_near_rest(int dim, const energies::StretchChunk& chunk) const;
   std::optional<Programs> programs_for(int dim, const std::map<std::string, double>& parameters) const;
   void require_used(const std::map<std::string, double>& parameters) const;
 

@@ -81,6 +81,19 @@ class Machine {
   }
 
   template <int Dim>
+  void excess(const Instruction& in) const {
+    double* to = at(in.to);
+    const int number = static_cast<int>(in.value), axis = number - static_cast<int>(Variable::s1);
+    for (int i = 0; i < chunk_.count; i += lanes) {
+      const auto s = load_stretch<Dim>(chunk_, i);
+      Pack value = number == 0 ? s.I1_minus_dim() : number == 1 ? s.I2_minus_dim() : s.J_minus_one();
+      if (axis >= 0)
+        value = load<Pack>(chunk_.sigma + static_cast<std::size_t>(axis) * chunk_.stride + i) - Pack(1.0);
+      store(to + i, value);
+    }
+  }
+
+  template <int Dim>
   void step(const Instruction& in) const {
     const Pack zero(0.0), one(1.0);
     switch (in.op) {
@@ -91,6 +104,8 @@ class Machine {
       }
       case Op::variable:
         return variable<Dim>(in);
+      case Op::excess:
+        return excess<Dim>(in);
       case Op::add:
         return binary(in, [](Pack a, Pack b) { return a + b; });
       case Op::subtract:

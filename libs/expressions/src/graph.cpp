@@ -22,6 +22,7 @@ int operand_count(Op op) {
   switch (op) {
     case Op::constant:
     case Op::variable:
+    case Op::excess:
       return 0;
     case Op::add:
     case Op::subtract:
@@ -110,6 +111,10 @@ Node Graph::constant(double value) {
 
 Node Graph::variable(Variable v) {
   return intern({Op::variable, 0, 0, 0, static_cast<double>(v)});
+}
+
+Node Graph::excess(Variable v) {
+  return intern({Op::excess, 0, 0, 0, static_cast<double>(v)});
 }
 
 Node Graph::unary(Op op, Node a) {
@@ -208,6 +213,7 @@ double apply(const Operation& operation, double a, double b, double c) {
   switch (operation.op) {
     case Op::constant:
     case Op::variable:
+    case Op::excess:
       return operation.value;
     case Op::add:
       return a + b;

@@ -12,6 +12,7 @@ namespace isostretch::expressions {
 enum class Op : std::uint8_t {
   constant,
   variable,
+  excess,  // of a variable over its value at rest, without cancellation
   add,
   subtract,
   multiply,
@@ -67,7 +68,7 @@ using Node = std::uint32_t;
 struct Operation {
   Op op = Op::constant;
   Node a = 0, b = 0, c = 0;  // operands
-  double value = 0;          // constant, power; number of a variable
+  double value = 0;          // constant, power; number of a variable, for its excess, too
   bool operator==(const Operation& other) const;
 };
 
@@ -89,6 +90,7 @@ class Graph {
 
   Node constant(double value);
   Node variable(Variable v);
+  Node excess(Variable v);
   Node unary(Op op, Node a);
   Node binary(Op op, Node a, Node b);
   Node select(Node condition, Node a, Node b);

@@ -1,6 +1,7 @@
 #include "measure.hpp"
 #include "require.hpp"
 
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/mesh/element_arrays.hpp>
 
 #include <algorithm>
@@ -76,6 +77,7 @@ void tet_gradients(const Points3& points, const int* v, double six_volumes, doub
 }  // namespace
 
 ElementArrays flat_elements(const SurfaceMesh& mesh) {
+  require_any(mesh.triangles, "triangle");
   require_indices(mesh.triangles, mesh.vertices.rows(), "triangle");
   require_finite(mesh.vertices, "vertex");
   ElementArrays arrays = linear_elements(mesh.triangles, mesh.vertices.rows(), 2);
@@ -89,6 +91,7 @@ ElementArrays flat_elements(const SurfaceMesh& mesh) {
 }
 
 ElementArrays elements(const Points2& vertices, const Triangles& triangles) {
+  require_any(triangles, "triangle");
   require_indices(triangles, vertices.rows(), "triangle");
   require_finite(vertices, "vertex");
   ElementArrays arrays = linear_elements(triangles, vertices.rows(), 2);
@@ -108,6 +111,7 @@ ElementArrays elements(const Points2& vertices, const Triangles& triangles) {
 }
 
 ElementArrays elements(const TetMesh& mesh) {
+  require_any(mesh.tets, "tet");
   require_indices(mesh.tets, mesh.vertices.rows(), "tet");
   require_finite(mesh.vertices, "vertex");
   ElementArrays arrays = linear_elements(mesh.tets, mesh.vertices.rows(), 3);
@@ -139,7 +143,7 @@ double total_weight(const ElementArrays& elements) {
 double scale_to_total_weight(ElementArrays& elements, double target) {
   const double total = total_weight(elements);
   if (!(total > 0 && target > 0 && std::isfinite(target)))
-    throw Error("cannot scale a total area of " + std::to_string(total) + " to " + std::to_string(target));
+    throw Error("cannot scale a total area of " + to_text(total) + " to " + to_text(target));
   const double factor = std::pow(target / total, 1.0 / elements.dim);
   for (double& weight : elements.weights) weight *= target / total;
   for (double& gradient : elements.gradients) gradient /= factor;

@@ -113,6 +113,7 @@ ElementArrays empty_arrays(int dim, const Cells& cells, Eigen::Index node_count,
 template <class Points, class Cells>
 ElementArrays isoparametric(Shape shape, const Points& points, const Cells& cells, int degree) {
   constexpr int Dim = Points::ColsAtCompileTime, Nodes = Cells::ColsAtCompileTime;
+  require_any(cells, shape_name(shape));
   require_indices(cells, points.rows(), shape_name(shape));
   require_finite(points, "vertex");
   const QuadratureRule rule = quadrature_rule(shape, degree);

@@ -33,6 +33,13 @@ bool indices_in_range(const Elements& elements, Eigen::Index element, Eigen::Ind
   return true;
 }
 
+// The mesh that elements of an assembly are made of has some.
+template <class Elements>
+void require_any(const Elements& elements, const char* what) {
+  if (elements.rows() == 0)
+    throw Error(std::string("the mesh is empty: there is no ") + what + " to make elements of");
+}
+
 template <class Points>
 void require_finite(const Points& points, const char* what) {
   for (Eigen::Index i = 0; i < points.rows(); ++i)

@@ -2,6 +2,7 @@
 #include "meshes.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/mesh/element_arrays.hpp>
 #include <isostretch/mesh/elements.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/mesh/quadratic.hpp>
@@ -430,4 +431,17 @@ TEST_CASE("structured quads and hexes") {
   CHECK_THROWS_WITH_AS(hex_bar(0, 1, 1), "nx is 0, must be at least 1", Error);
   CHECK_THROWS_WITH_AS(extrude(quads, 2, -1), doctest::Contains("must be positive"), Error);
   CHECK_THROWS_WITH_AS(extrude(quads, 1 << 30), doctest::Contains("too many elements"), Error);
+}
+
+TEST_CASE("elements of an empty mesh are refused, whatever their shape") {
+  const auto refused = [](const char* what, const auto& make) {
+    CHECK_THROWS_WITH_AS(make(), doctest::Contains((std::string("there is no ") + what).c_str()), Error);
+  };
+  refused("triangle", [] { flat_elements(SurfaceMesh()); });
+  refused("triangle", [] { elements(Points2(), Triangles()); });
+  refused("tet", [] { elements(TetMesh()); });
+  refused("quad", [] { elements(QuadMesh()); });
+  refused("hex", [] { elements(HexMesh()); });
+  refused("quadratic triangle", [] { elements(QuadraticTriangleMesh()); });
+  refused("quadratic tet", [] { elements(QuadraticTetMesh()); });
 }

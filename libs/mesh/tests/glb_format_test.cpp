@@ -197,3 +197,32 @@ TEST_CASE("glTF: what cannot be written is refused and leaves nothing behind") {
   write_glb(path, textured());
   CHECK(std::filesystem::file_size(path) == format_glb(textured()).size());
 }
+
+TEST_CASE("GLB: frames become morph targets with an animation") {
+  mesh::SurfaceMesh triangle;
+  triangle.vertices.resize(3, 3);
+  triangle.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+  triangle.triangles.resize(1, 3);
+  triangle.triangles << 0, 1, 2;
+  std::vector<mesh::GlbFrame> frames{{0, triangle.vertices}, {0.25, triangle.vertices}};
+  frames[1].vertices(1, 0) = 3;
+  const std::string bytes = mesh::format_glb_animation(triangle, frames);
+  const std::uint32_t length = at<std::uint32_t>(bytes, 12);
+  const auto gltf = json::parse(bytes.substr(20, length));
+  const auto& primitive = gltf["meshes"][0]["primitives"][0];
+  REQUIRE(primitive["targets"].size() == 2);
+  CHECK_FALSE(primitive["attributes"].contains("NORMAL"));
+  const auto& target = gltf["accessors"][primitive["targets"][1]["POSITION"].get<std::size_t>()];
+  CHECK(target["count"] == 3);
+  CHECK(target["max"] == json({2.0, 0.0, 0.0}));
+  const auto& animation = gltf["animations"][0];
+  CHECK(animation["channels"][0]["target"]["path"] == "weights");
+  const auto& input = gltf["accessors"][animation["samplers"][0]["input"].get<std::size_t>()];
+  CHECK(input["max"] == json({0.25}));
+  CHECK(gltf["accessors"][animation["samplers"][0]["output"].get<std::size_t>()]["count"] == 4);
+  CHECK_THROWS_WITH_AS(mesh::format_glb_animation(triangle, {}), doctest::Contains("without frames"), Error);
+  frames[1].seconds = 0;
+  CHECK_THROWS_WITH_AS(mesh::format_glb_animation(triangle, frames), doctest::Contains("frame 1"), Error);
+  frames[1] = {1, mesh::Points3::Zero(4, 3)};
+  CHECK_THROWS_WITH_AS(mesh::format_glb_animation(triangle, frames), doctest::Contains("4 vertices"), Error);
+}
