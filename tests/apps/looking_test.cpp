@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -35,7 +35,7 @@ const std::string inverted = medit(corners, 6, "1 2 3 4 7\n2 4 3 5 8\n", 2);
 
 void check_refused(const Outcome& said, const std::vector<std::string>& words) {
   CHECK(said.code == 3);
-  for (const std::string& word : words) CHECK_MESSAGE(has(said.out, word), said.out + said.err);
+  for (const std::string& word : words) CHECK_MESSAGE(has(said.out, word), said.out);
   CHECK(has(said.out, "It cannot be used as it is: "));
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("--check names what is inverted, there twice, degenerate or out of the
                 {"zero volume", "scaled Jacobian 0 ", "tet 0 (vertices 0 1 2 3), volume 0\n"});
 
   const std::string doubled = scratch.write("doubled.mesh", medit(corners, 6, "1 2 3 3 0\n", 1));
-  check_refused(deform({doubled, "--check"}), {"degenerate: 1\n", "tet 0 (vertices 0 1 2 2)"});
+  check_refused(deform({doubled, "--check"}), {"degenerate element: 1\n", "tet 0 (vertices 0 1 2 2)"});
 
   const std::string bent =
       scratch.write("bent.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\nf 1 2 3\nf 2 4 3\n");
@@ -156,7 +156,8 @@ TEST_CASE("--preview prints the handles, draws them, and solves nothing") {
     std::istringstream lines(said.out);
     std::string head, left, right;
     std::getline(lines, head), std::getline(lines, left), std::getline(lines, right);
-    CHECK(head == "handle  kind  nodes  centre           goes to" + head.substr(41));
+    CHECK_MESSAGE(std::regex_match(head, std::regex("handle  kind  nodes  centre +goes to +farthest  turns")),
+                  head);
     CHECK_MESSAGE(has(left, "left    "), said.out);
     CHECK_MESSAGE(has(left, "  9      (0, 0.5, 0.5)"), said.out);
     CHECK_MESSAGE(has(left, "stays"), said.out);
