@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""C++ of documents is that of a snippet that tests/consumers compiles and runs."""
+"""C++ of documents is that of a snippet that tests compile and run."""
 import re
 import sys
 import textwrap
@@ -7,7 +7,7 @@ import textwrap
 import libraries
 
 # A document and the source that has its snippet, between "// snippet: <document>" and "// end of snippet".
-SNIPPETS = [("README.md", "tests/consumers/project/newton.cpp"),
+SNIPPETS = [("README.md", "tests/consumers/project/newton.cpp"), ("README.md", "tests/apps/log_sink_test.cpp"),
             ("docs/tutorials/energies.md", "tests/consumers/project/testing.cpp")]
 
 
