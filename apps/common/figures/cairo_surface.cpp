@@ -36,8 +36,8 @@ cairo_status_t append_bytes(void* text, const unsigned char* data, unsigned int 
   }
 }
 
-// cairo's own writer tries every filter on every row and compresses harder, which takes longer than drawing; it alone
-// knows what to do with transparency.
+// cairo's own writer tries every filter on every row and compresses harder, which takes longer than drawing;
+// it alone knows what to do with transparency.
 std::string png_bytes(cairo_surface_t* surface) {
   cairo_surface_flush(surface);
   if (cairo_image_surface_get_format(surface) != CAIRO_FORMAT_RGB24) {
