@@ -131,7 +131,7 @@ figures::HandleLegend legend_of(const Preview& p, const Handle& handle, bool ins
                      (handle.nodes.size() == 1 ? " node" : " nodes") + (inside ? " inside" : "");
   if (!moves(p, facts)) return {handle.name, text + ", stays"};
   if (facts.degrees != 0) text += formatted(", turns %g°", facts.degrees);
-  return {handle.name, text + formatted(", goes %.3g", facts.farthest)};
+  return {handle.name, text + formatted(", goes %.2g", facts.farthest)};
 }
 
 Color darker(Color color) {
@@ -148,7 +148,7 @@ std::vector<Marker> markers_of(const Preview& p) {
     const std::vector<int> seen = seen_nodes(handle, on_surface), &nodes = seen.empty() ? handle.nodes : seen;
     for (const int node : spread(nodes, most_dots)) {
       const Eigen::RowVector3d at = at_rest(p, node).transpose();
-      dots.push_back({Marker::Kind::dot, at, at, color, handle.nodes.size() == 1 ? 6.0 : 3.0});
+      dots.push_back({Marker::Kind::dot, at, at, color, handle.nodes.size() == 1 ? 6.0 : 3.0, true});
     }
     if (!moves(p, facts_of(p, handle))) continue;
     for (const int node : spread(nodes, most_arrows))
@@ -183,7 +183,8 @@ std::string draw_preview(const Preview& p) {
   figures::HandleFigure figure{
       {.title = body.name + ": handles",
        .subtitle = with_thousands(body.elements.element_count()) + " " + plural_name(body.shape) +
-                   "   ·   at rest; arrows lead to where nodes are to be at the end",
+                   "   ·   at rest   ·   arrows: to where nodes are to be at the end   ·   rings: behind or "
+                   "inside the body",
        .states = {{"", surface_points(body, body.nodes), unchanged, {}, markers_of(p), triangle_colors(p)}},
        .triangles = body.surface.mesh.triangles,
        .element = body.surface.element,
