@@ -65,6 +65,12 @@ std::string kind_text(const Handle& handle) {
 
 using Row = std::array<std::string, 7>;
 
+// Of UTF-8, which has bytes more where letters are not ASCII.
+std::size_t letters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
 Row row_of(const Preview& p, const Handle& handle) {
   const Facts facts = facts_of(p, handle);
   const bool goes = moves(p, facts);
@@ -131,7 +137,7 @@ figures::HandleLegend legend_of(const Preview& p, const Handle& handle, bool ins
                      (handle.nodes.size() == 1 ? " node" : " nodes") + (inside ? " inside" : "");
   if (!moves(p, facts)) return {handle.name, text + ", stays"};
   if (facts.degrees != 0) text += formatted(", turns %g°", facts.degrees);
-  return {handle.name, text + formatted(", goes %.3g", facts.farthest)};
+  return {handle.name, text + formatted(", goes %.2g", facts.farthest)};
 }
 
 Color darker(Color color) {
@@ -146,9 +152,11 @@ std::vector<Marker> markers_of(const Preview& p) {
     const Handle& handle = p.rig.handles()[h];
     const Color color = darker(figures::handle_color(h));
     const std::vector<int> seen = seen_nodes(handle, on_surface), &nodes = seen.empty() ? handle.nodes : seen;
+    const bool alone = handle.nodes.size() == 1;  // what shows its colour then is the dot
     for (const int node : spread(nodes, most_dots)) {
       const Eigen::RowVector3d at = at_rest(p, node).transpose();
-      dots.push_back({Marker::Kind::dot, at, at, color, handle.nodes.size() == 1 ? 6.0 : 3.0});
+      dots.push_back(
+          {Marker::Kind::dot, at, at, alone ? figures::handle_color(h) : color, alone ? 7.0 : 3.0, true});
     }
     if (!moves(p, facts_of(p, handle))) continue;
     for (const int node : spread(nodes, most_arrows))
@@ -166,12 +174,12 @@ std::string preview_table(const Preview& preview) {
   for (const Handle& handle : preview.rig.handles()) rows.push_back(row_of(preview, handle));
   std::array<std::size_t, 7> widths{};
   for (const Row& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], letters(row[c]));
   std::string text;
   for (const Row& row : rows) {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c)
-      line += row[c] + std::string(c + 1 < row.size() ? widths[c] + 2 - row[c].size() : 0, ' ');
+      line += row[c] + std::string(c + 1 < row.size() ? widths[c] + 2 - letters(row[c]) : 0, ' ');
     text += line + "\n";
   }
   return text;
@@ -183,7 +191,8 @@ std::string draw_preview(const Preview& p) {
   figures::HandleFigure figure{
       {.title = body.name + ": handles",
        .subtitle = with_thousands(body.elements.element_count()) + " " + plural_name(body.shape) +
-                   "   ·   at rest; arrows lead to where nodes are to be at the end",
+                   "   ·   at rest   ·   arrows: to where nodes are to be at the end   ·   rings: behind or "
+                   "inside the body",
        .states = {{"", surface_points(body, body.nodes), unchanged, {}, markers_of(p), triangle_colors(p)}},
        .triangles = body.surface.mesh.triangles,
        .element = body.surface.element,

@@ -21,8 +21,9 @@ struct Preview {
 std::string preview_table(const Preview& preview);
 
 /// Draws the body at rest, each handle in a colour of its own: the triangles all of whose vertices it has, a
-/// dot at every vertex of it on the surface (200 at most, evenly spread), and arrows from some of these to
-/// where they go. Returns the bytes of a PNG.
+/// dot at every vertex of it on the surface (200 at most, evenly spread; a ring where the body hides it), or
+/// inside where it has none there, and arrows from some of these to where they go. Returns the bytes of a
+/// PNG.
 std::string draw_preview(const Preview& preview);
 
 /// Writes the picture to preview.png in that folder and prints the table. Throws Failure with

@@ -53,6 +53,7 @@ TEST_SUITE("command lines") {
       }
       CHECK(groups >= 5);
       CHECK(help.find("\n\n\n") == std::string::npos);
+      CHECK(help.find('{') == std::string::npos);
       CHECK(help.find("Example:\n  isostretch-") != std::string::npos);
     }
   }

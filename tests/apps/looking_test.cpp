@@ -171,6 +171,12 @@ TEST_CASE("--preview prints the handles, draws them, and solves nothing") {
     CHECK(made == std::vector<std::string>{"preview.png"});
     CHECK(read_file(scratch.path(folder) + "/preview.png").substr(1, 3) == "PNG");
   }
+  // Columns stand below each other whatever letters names have.
+  auto named = twisted_bar(90, 1);
+  named["handles"][0]["name"] = "Ärmel";
+  const Outcome said =
+      deform({write_scene(scratch, named, "named.json"), "--preview", "-o", scratch.path("deform")});
+  CHECK_MESSAGE(has(said.out, "\nÄrmel   hard  9"), said.out);
   // Where the end is, and how far it goes: a corner of a square of side 1 by a quarter turn about its middle.
   CHECK_MESSAGE(has(deform({bar, "--preview", "-o", scratch.path("deform")}).out,
                     "right   hard  9      (4, 0.5, 0.5)  (4, 0.5, 0.5)  1         90 deg"),

@@ -14,7 +14,8 @@ struct Marker {
   enum class Kind { dot, arrow, target } kind = Kind::dot;
   Eigen::RowVector3d from, to;  // the same for a dot
   Color color{0.05, 0.2, 0.55};
-  double radius = 5;  ///< of a dot, in pixels
+  double radius = 5;           ///< of a dot, in pixels
+  bool hollow_behind = false;  ///< a dot is a ring where the body lies in front of it
 };
 
 // One state of the body in the figure, with the same triangles in all of them.

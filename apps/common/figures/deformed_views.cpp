@@ -63,11 +63,14 @@ void draw_arrow(Canvas& canvas, Point from, Point to, Color color) {
                  color);
 }
 
-void draw_marker(Canvas& canvas, const Marker& marker, Point from, Point to) {
+void draw_marker(Canvas& canvas, const Marker& marker, Point from, Point to, bool seen) {
   constexpr double ring = 4;
   switch (marker.kind) {
     case Marker::Kind::dot:
-      canvas.dot(to, marker.radius, marker.color);
+      if (seen || !marker.hollow_behind)
+        canvas.dot(to, marker.radius, marker.color);
+      else
+        canvas.ring(to, marker.radius, {.color = marker.color, .width = 1, .opacity = 0.7});
       break;
     case Marker::Kind::arrow:
       draw_arrow(canvas, from, to, marker.color);
@@ -242,15 +245,17 @@ void DeformedViews::draw(Canvas& canvas, std::size_t i, Point corner, int height
   const Placement placement{scale_,
                             {0.5 * width_ - scale_ * (box.x + 0.5 * box.width),
                              0.5 * height - scale_ * (box.y + 0.5 * box.height)}};
-  canvas.image(draw_view(model, normals, k.camera, placement, width_, height).picture, corner);
+  const mesh::Points3& ends = k.states[i].marker_ends;
+  const ModelView view = draw_view(model, normals, k.camera, placement, width_, height, ends);
+  canvas.image(view.picture, corner);
   const auto on_canvas = [&](Eigen::Index row) {
-    const ScreenPoint p = k.camera(k.states[i].marker_ends.row(row));
+    const ScreenPoint p = k.camera(ends.row(row));
     return Point{corner.x + placement.shift.x + placement.scale * p.x,
                  corner.y + placement.shift.y + placement.scale * p.y};
   };
   for (std::size_t m = 0; m < state.markers.size(); ++m) {
     const auto row = static_cast<Eigen::Index>(2 * m);
-    draw_marker(canvas, state.markers[m], on_canvas(row), on_canvas(row + 1));
+    draw_marker(canvas, state.markers[m], on_canvas(row), on_canvas(row + 1), view.seen[2 * m]);
   }
 }
 

@@ -17,7 +17,7 @@ void draw_legend(Canvas& canvas, const std::vector<HandleLegend>& entries, doubl
   const auto most = static_cast<std::size_t>(std::max(2.0, std::floor(room / entry_height)));
   const std::size_t listed = entries.size() > most ? most - 1 : entries.size();
   double y = top + 0.25 * entry_height;
-  const TextStyle name{.size = 21, .bold = true}, facts{.size = 19, .color = {0.3, 0.3, 0.3}};
+  const TextStyle name{.size = 21, .bold = true}, facts{.size = 18, .color = {0.3, 0.3, 0.3}};
   for (std::size_t i = 0; i < listed; ++i, y += entry_height) {
     canvas.dot({x + 10, y}, 9, handle_color(i));
     canvas.text({x + 30, y}, canvas.shortened(entries[i].name, legend_width - 30, name), name);

@@ -196,12 +196,14 @@ std::vector<Point> seen_flips(const ModelData& model, const std::vector<ScreenPo
 }  // namespace
 
 ModelView draw_view(const ModelData& model, const mesh::Points3& normals, const Camera& camera,
-                    const Placement& placement, int width, int height) {
-  ModelView view{Raster(width, height, view_ground), {}};
+                    const Placement& placement, int width, int height, const mesh::Points3& probes) {
+  ModelView view{Raster(width, height, view_ground), {}, {}};
   const std::vector<ScreenPoint> points = on_screen(model.vertices, camera, placement);
   const Visibility seen = visibility(model, points, view.picture);
   shade(view.picture, seen, Shader(model, normals, camera, points));
   view.flipped = seen_flips(model, points, seen);
+  for (const ScreenPoint& probe : on_screen(probes, camera, placement))
+    view.seen.push_back(seen.sees(probe, line_slack));
   return view;
 }
 
