@@ -5,6 +5,7 @@
 #include "common/html.hpp"
 #include "common/rig_figure.hpp"
 
+#include <isostretch/core/error.hpp>
 #include <isostretch/mesh/io.hpp>
 
 #include <algorithm>
@@ -51,6 +52,21 @@ void Animation::add(int number, double time, const Vector& positions, const Stra
                      surface_points(body_, body_.points(positions)), strain.length_change, strain.inverted});
 }
 
+std::string Animation::add_glb(OutputFolder& folder, const std::string& name) const {
+  const bool whole = !numbers_.empty() && numbers_.front() == 0;
+  if (states_.empty() || (!whole && states_.size() == 1))
+    return name + ".glb is not written: this run has made no frame";
+  const std::string file = name + (whole ? ".glb" : formatted("_%04d_on.glb", numbers_.front()));
+  try {
+    folder.add(file, glb());
+  } catch (const Error& error) {
+    return file + " is not written: " + error.what();
+  }
+  return whole ? ""
+               : file + formatted(" holds frames %d to %d, those of this run", numbers_.front(),
+                                  numbers_.back());
+}
+
 std::string Animation::glb() const {
   constexpr double frames_a_second = 4;
   mesh::SurfaceMesh surface;
@@ -90,6 +106,7 @@ std::string Animation::preview() const {
                " alt=\"" + html::escaped(figure.states[i].caption) + "\" src=\"data:image/png;base64," +
                base64(pictures[i]) + "\">\n";
   std::string caption = "The frames, coloured as in the pictures: pale where lengths are kept.";
+  if (numbers_.front() != 0) caption += formatted(" Those of this run, from frame %d on.", numbers_.front());
   if (chosen.size() < states_.size())
     caption += formatted(" %zu of %zu frames are shown.", chosen.size(), states_.size());
   return html::block("figure", content + player + html::element("figcaption", html::escaped(caption)));

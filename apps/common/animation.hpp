@@ -2,6 +2,7 @@
 
 #include "common/body.hpp"
 #include "common/figures/deformation_figure.hpp"
+#include "common/output_folder.hpp"
 #include "common/strain.hpp"
 
 #include <array>
@@ -19,9 +20,10 @@ class Animation {
   void add(int number, double time, const Vector& positions, const StrainField& strain);
   bool empty() const { return states_.empty(); }
 
-  /// Returns the surface with every frame as a morph target, four frames a second, as the bytes of a GLB
-  /// file.
-  std::string glb() const;
+  /// Adds NAME.glb to the folder, the surface with every frame as a morph target, four frames a second;
+  /// NAME_0003_on.glb where the first frame is not 0 but 3, so that the file of a whole run stays. Returns
+  /// what is to be told: which frames those are, or why there is no file; empty where it holds all.
+  std::string add_glb(OutputFolder& folder, const std::string& name) const;
 
   /// Returns a part of a page that plays the frames and lets a reader go through them. It needs nothing from
   /// outside of the page. Of more than `most_shown` frames as many are drawn, evenly spread, first and last
@@ -31,6 +33,7 @@ class Animation {
   static constexpr std::size_t most_shown = 25;
 
  private:
+  std::string glb() const;
   std::vector<std::size_t> shown() const;
 
   const Body& body_;

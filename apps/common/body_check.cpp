@@ -225,6 +225,18 @@ std::string description(ElementMesh m, const std::string& name) {
          fault_lines(m, "there twice", faults.duplicates) + further_lines(m);
 }
 
+// With what --repair does, where it was asked for and all can be mended: the verdict is of such a body.
+ElementMesh mended(ElementMesh m, const BodySpec& spec) {
+  if (!spec.repair.repair) return m;
+  ElementMesh result = m;
+  try {
+    mend(result, spec.repair, spec.file.string());
+    return result;
+  } catch (const Error&) {
+    return m;  // the verdict says why
+  }
+}
+
 // A generated body as if it had been read.
 ElementMesh elements_of(const Body& body) {
   ElementMesh m;
@@ -253,7 +265,7 @@ BodyCheck check_body(const BodySpec& spec, const std::function<void(const Body&)
     check.text = description(elements_of(body), body.name);
     load([&] { return body; });
   } else {
-    const ElementMesh m = read_body_file(spec);
+    const ElementMesh m = mended(read_body_file(spec), spec);
     check.text = description(m, spec.file.string());
     load([&] { return body_from(m, spec); });
   }

@@ -187,14 +187,19 @@ class Job {
       add_warning("the last frame: " + text);
   }
 
+  void add_glb(OutputFolder& folder) {
+    const std::string told = animation_.add_glb(folder, "deform");
+    if (!told.empty()) add_warning(told);
+  }
+
   void write_reports(OutputFolder& folder) {
     warn_of_misses();
     std::string picture;
     timed(seconds_.write, [&] {
       if (options_.picture) folder.add("deform.png", picture = draw(result_, strain_));
-      if (options_.glb) folder.add("deform.glb", animation_.glb());
       folder.add("trace.csv", result_.trace);
       if (scene_.format == FrameFormat::vtu) folder.add("deform.pvd", animation_text(result_.frames));
+      if (options_.glb) add_glb(folder);
     });
     seconds_.write += frame_write_seconds_;
     seconds_.total = timer_.seconds();

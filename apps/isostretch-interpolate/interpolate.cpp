@@ -121,6 +121,11 @@ class Job {
                      frame.seconds);
   }
 
+  void add_glb(OutputFolder& folder) {
+    std::string told = animation_.add_glb(folder, "interpolation");
+    if (!told.empty()) warn_of(std::move(told));
+  }
+
   void write_reports(OutputFolder& folder) {
     std::string frames, energies;
     timed(seconds_.write, [&] {
@@ -128,7 +133,7 @@ class Job {
         folder.add("interpolation.png", frames = draw_frames(result_));
         folder.add("energy.png", energies = draw_energies(result_));
       }
-      if (options_.glb) folder.add("interpolation.glb", animation_.glb());
+      if (options_.glb) add_glb(folder);
       folder.add("trace.csv", result_.trace);
       if (options_.format == FrameFormat::vtu)
         folder.add("interpolation.pvd", animation_text(result_.frames));

@@ -183,6 +183,11 @@ class Job {
     if (!flat.empty()) add_warning(result, frame + flat + "; --margin keeps elements from it");
   }
 
+  void add_glb(Result& result, OutputFolder& folder) const {
+    const std::string told = animation_.add_glb(folder, "manipulate");
+    if (!told.empty()) add_warning(result, told);
+  }
+
   void write_reports(Result& result, OutputFolder& folder) {
     warn_of_misses(result);
     std::string states, path;
@@ -191,7 +196,7 @@ class Job {
       folder.add("trace.csv", result.trace);
       if (scene_.format == FrameFormat::vtu)
         folder.add("manipulate.pvd", animation_text(files_of(result.frames)));
-      if (options_.glb && !animation_.empty()) folder.add("manipulate.glb", animation_.glb());
+      if (options_.glb) add_glb(result, folder);
       if (!options_.picture || result.last.positions.size() == 0) return;
       folder.add("manipulate.png", states = draw_states(result, strain_));
       folder.add("path.png", path = draw_path(result, strain_));

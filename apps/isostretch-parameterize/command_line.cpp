@@ -187,6 +187,9 @@ void require_consistent(const Options& options) {
     throw Error("--overlap split: cuts, which --no-cut does not allow");
   if (options.overlap == OverlapRule::split && options.pack == Pack::none)
     throw Error("--overlap split: parts of a chart come apart only when they are packed");
+  if (options.overlap == OverlapRule::split && (options.has_pins() || !options.aligned.empty()))
+    throw Error(
+        "--overlap split: packs the parts of charts, which moves vertices that are pinned or aligned");
   if (options.max_distortion > 0 && (options.initial == Initial::input || !options.cut))
     throw Error("--max-distortion: cuts, which --initial input and --no-cut do not allow");
   if (options.max_distortion > 0 && (options.has_pins() || !options.aligned.empty()))

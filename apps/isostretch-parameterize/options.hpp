@@ -67,11 +67,14 @@ struct Options {
   // Whether so many charts are laid side by side into a square.
   bool packs(std::size_t charts) const {
     if (pack != Pack::automatic) return pack == Pack::square;
+    if (overlap == OverlapRule::split) return true;
     return initial != Initial::input && (charts > 1 || !has_pins());
   }
-  // Whether charts that lie on themselves are divided. Parts that are not packed would stay where they are.
+  // Whether charts that lie on themselves are divided. Parts that are not packed would stay where they are,
+  // and vertices that are aligned could come into different parts.
   bool splits_overlap(std::size_t charts) const {
-    return overlap == OverlapRule::split || (overlap == OverlapRule::automatic && cut && packs(charts));
+    if (overlap != OverlapRule::automatic) return overlap == OverlapRule::split;
+    return cut && aligned.empty() && packs(charts);
   }
   // Whether the cut of a closed surface goes on to what comes out distorted.
   bool reaches_tips() const {

@@ -38,6 +38,13 @@ std::string end_text(const Result& r) {
   return "NOT converged: " + s.message + " (" + effort + ")";
 }
 
+std::string advice(const Result& r) {
+  if (r.split.done) return "splitting has not done away with it: please report the model";
+  if (r.options.has_pins() || !r.options.aligned.empty())
+    return "charts with pinned or aligned vertices are not split";
+  return "--overlap split divides and packs charts";
+}
+
 }  // namespace
 
 std::string share_text(double share) {
@@ -57,8 +64,7 @@ std::vector<std::string> layout_warnings(const Result& r) {
     warnings.push_back("the layout lies on itself: " + counted(overlap.triangles.size(), "triangle") +
                        " of " + counted(charts, "chart") + (r.layout.packed ? "" : " (not packed)") +
                        " overlap, the first is " + std::to_string(overlap.triangles.front()) + "; " +
-                       (r.split.done ? "please report the model"
-                                     : "--overlap split --pack square divides and packs charts"));
+                       advice(r));
   }
   return warnings;
 }

@@ -20,29 +20,48 @@
 namespace isostretch::app::parameterize {
 namespace {
 
-Pictures write(OutputFolder& folder, const Result& result) {
+struct Written {
+  Pictures pictures;
+  std::string trouble = {};  // what could not be written, and why
+};
+
+// glTF has floats: what does not fit into them is no reason to lose the rest.
+std::string add_glb(OutputFolder& folder, const Result& result) {
+  const std::string name = result.options.model.stem().string() + "_uv.glb";
+  try {
+    folder.add(name, textured_glb(result));
+    return {};
+  } catch (const Error& error) {
+    return name + " is not written: " + error.what();
+  }
+}
+
+Written write(OutputFolder& folder, const Result& result) {
   const Options& options = result.options;
   const std::string stem = options.model.stem().string();
   folder.add(stem + "_uv.obj", uv_file(result));
   folder.add("trace.csv", trace_text(result));
-  if (options.glb) folder.add(stem + "_uv.glb", textured_glb(result));
-  if (!options.picture) return {};
+  Written written;
+  if (options.glb) written.trouble = add_glb(folder, result);
+  if (!options.picture) return written;
   auto layout = std::async(std::launch::async, [&] { return draw_layout(result); });
-  Pictures pictures{draw_model(result), {}};
-  pictures.layout = layout.get();
-  folder.add("layout.png", pictures.layout);
-  folder.add("model.png", pictures.model);
-  return pictures;
+  written.pictures.model = draw_model(result);
+  written.pictures.layout = layout.get();
+  folder.add("layout.png", written.pictures.layout);
+  folder.add("model.png", written.pictures.model);
+  return written;
 }
 
-ExitCode conclude(const Result& result, const OutputFolder& folder, const CommonOptions& common) {
+ExitCode conclude(const Result& result, const OutputFolder& folder, const CommonOptions& common,
+                  const std::string& trouble) {
   if (common.verbose) print(result.solution.summary.full_report());
   for (const auto& path : folder.paths()) print("wrote " + path.string() + "\n");
   for (const std::string& warning : layout_warnings(result)) warn(warning);
   print(outcome(result) + "\n");
   const ExitCode code = exit_code(result);
   if (code != ExitCode::success) report_error(verdict(result));
-  return code;
+  if (!trouble.empty()) report_error(trouble);
+  return code == ExitCode::success && !trouble.empty() ? ExitCode::output : code;
 }
 
 ExitCode print_check(const Options& options) {
@@ -65,13 +84,13 @@ ExitCode parameterize(const Options& options, const energies::AnyEnergy& energy,
   const OverlapSplit split = split_overlap(domain, start, solution, options);
   const Layout layout = lay_out(domain, start, solution, options);
   const Result result{options, energy, domain, start, solution, layout, split};
-  const Pictures pictures = timed(seconds.write, [&] { return write(folder, result); });
+  const Written written = timed(seconds.write, [&] { return write(folder, result); });
   seconds.total = timer.seconds();
   const Json summary = summary_json(result, seconds);
   folder.add_json("summary.json", summary);
-  if (options.picture) folder.add("report.html", report_page(result, summary, pictures));
+  if (options.picture) folder.add("report.html", report_page(result, summary, written.pictures));
   folder.commit();
-  return conclude(result, folder, common);
+  return conclude(result, folder, common, written.trouble);
 }
 
 }  // namespace isostretch::app::parameterize

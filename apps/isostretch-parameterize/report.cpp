@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include "choice_names.hpp"
+#include "common/formatted.hpp"
 #include "common/newton_report.hpp"
 #include "common/threads.hpp"
 #include "distortion_statistics.hpp"
@@ -164,7 +165,7 @@ std::string verdict(const Result& r) {
   std::vector<std::string> parts;
   if (!summary.converged()) parts.push_back("not converged: " + summary.message);
   if (missed_bound(r))
-    parts.push_back("the largest distortion is " + to_text(r.solution.worst_distortion) + ", not " +
+    parts.push_back("the largest distortion is " + formatted("%.4g", r.solution.worst_distortion) + ", not " +
                     to_text(r.options.max_distortion) + ", after " + std::to_string(r.solution.cuts) +
                     " cuts");
   if (!r.layout.flipped.empty())

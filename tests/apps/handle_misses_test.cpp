@@ -112,4 +112,19 @@ TEST_SUITE("handles that miss") {
     CHECK(text_of(out + "/deform.glb").substr(0, 4) == "glTF");
     CHECK(contains(text_of(out + "/report.html"), "class=\"player\""));
   }
+
+  TEST_CASE("deform: --restart leaves the GLB of the whole run alone and says which frames its own has") {
+    const Scratch scratch;
+    const std::string scene = written(scratch, twisted_bar(20, 4)), out = scratch.path("out");
+    CHECK(deform({scene, "--out", out, "--glb", "--no-picture"}).code == 0);
+    const std::string whole = text_of(out + "/deform.glb");
+    CHECK(deform({scene, "--out", out, "--glb", "--no-picture", "--restart"}).code == 0);
+    CHECK(text_of(out + "/deform.glb") == whole);
+    const std::string half = scratch.path("half");
+    CHECK(deform({scene, "--out", half, "--no-picture", "--stop-after", "2"}).code == 5);
+    const Outcome rest = deform({scene, "--out", half, "--glb", "--no-picture", "--restart"});
+    CHECK(rest.code == 0);
+    CHECK(contains(rest.err, "deform_0002_on.glb holds frames 2 to 4"));
+    CHECK(text_of(half + "/deform_0002_on.glb").substr(0, 4) == "glTF");
+  }
 }

@@ -306,3 +306,19 @@ TEST_CASE("cuts for a bound on the distortion are seams: few spurs of one to thr
   CHECK(all > 5);
   CHECK(10 * spurs <= all);
 }
+
+TEST_CASE("overlap: charts with pinned or aligned vertices are not taken apart") {
+  const Scratch scratch;
+  const std::string model = scratch.path("face.obj"), out = scratch.path("out");
+  mesh::write_obj(model, mesh::procedural_face(6));
+  for (const std::vector<std::string>& places :
+       {std::vector<std::string>{"--pin", "0:0,0"}, {"--soft-pin", "0:0,0"}, {"--horizontal", "0,5"}}) {
+    std::vector<std::string> arguments{model, "--out", out, "--no-picture", "--overlap", "split"};
+    arguments.insert(arguments.end(), places.begin(), places.end());
+    const Outcome outcome = parameterize(arguments);
+    CHECK(outcome.code == 2);
+    CHECK_MESSAGE(outcome.err.find("pinned or aligned") != std::string::npos, outcome.err);
+  }
+  const Outcome aligned = parameterize({model, "--out", out, "--no-picture", "--horizontal", "0,5"});
+  CHECK_MESSAGE(aligned.code == 0, aligned.err);
+}

@@ -56,7 +56,12 @@ std::vector<int> turned_places(Shape shape) {
   return {4, 5, 6, 7, 0, 1, 2, 3};
 }
 
-std::vector<int> duplicates(const ElementMesh& mesh) {
+// An element on nodes that another one is on already, and the first on these.
+struct Copy {
+  int element, original;
+};
+
+std::vector<Copy> copies(const ElementMesh& mesh) {
   const auto nodes = static_cast<std::size_t>(mesh.elements.cols());
   std::vector<int> sorted(mesh.elements.data(), mesh.elements.data() + mesh.elements.size());
   for (auto row = sorted.begin(); row < sorted.end(); row += static_cast<std::ptrdiff_t>(nodes))
@@ -69,15 +74,26 @@ std::vector<int> duplicates(const ElementMesh& mesh) {
     return differ.first == x + nodes ? 0 : *differ.first - *differ.second;
   };
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return compare(a, b) < 0; });
-  std::vector<int> found;
-  for (std::size_t i = 1; i < order.size(); ++i)
-    if (compare(order[i - 1], order[i]) == 0) found.push_back(order[i]);
-  std::sort(found.begin(), found.end());
+  std::vector<Copy> found;
+  for (std::size_t i = 1, first = 0; i < order.size(); ++i)
+    if (compare(order[first], order[i]) == 0)
+      found.push_back({order[i], order[first]});
+    else
+      first = i;
+  std::sort(found.begin(), found.end(), [](const Copy& a, const Copy& b) { return a.element < b.element; });
   return found;
 }
 
-void remove(ElementMesh& mesh, const std::vector<int>& elements) {
-  if (elements.empty()) return;
+std::vector<int> elements_of(const std::vector<Copy>& copies) {
+  std::vector<int> elements;
+  for (const Copy& copy : copies) elements.push_back(copy.element);
+  return elements;
+}
+
+// Originals come into the groups of their copies.
+void remove(ElementMesh& mesh, const std::vector<Copy>& copies) {
+  if (copies.empty()) return;
+  const std::vector<int> elements = elements_of(copies);
   std::vector<int> number(static_cast<std::size_t>(mesh.elements.rows()), -1);
   int kept = 0;
   for (int e = 0; e < mesh.elements.rows(); ++e)
@@ -86,9 +102,11 @@ void remove(ElementMesh& mesh, const std::vector<int>& elements) {
       number[at(e)] = kept++;
     }
   mesh.elements.conservativeResize(kept, mesh.elements.cols());
+  for (const Copy& copy : copies) number[at(copy.element)] = number[at(copy.original)];
   for (ElementGroup& group : mesh.groups) {
     for (int& e : group.elements) e = number[at(e)];
-    group.elements.erase(std::remove(group.elements.begin(), group.elements.end(), -1), group.elements.end());
+    std::sort(group.elements.begin(), group.elements.end());
+    group.elements.erase(std::unique(group.elements.begin(), group.elements.end()), group.elements.end());
   }
 }
 
@@ -96,7 +114,7 @@ void remove(ElementMesh& mesh, const std::vector<int>& elements) {
 
 ElementRepairReport find_faults(const ElementMesh& mesh) {
   require_indices(mesh.elements, mesh.vertices.rows(), shape_name(mesh.shape));
-  ElementRepairReport report{duplicates(mesh), {}};
+  ElementRepairReport report{elements_of(copies(mesh)), {}};
   for (int e = 0; e < mesh.elements.rows(); ++e)
     if (orientation(mesh, e) < 0) report.inverted.push_back(e);
   return report;
@@ -111,7 +129,7 @@ ElementRepairReport repair(ElementMesh& mesh) {
     for (std::size_t c = 0; c < places.size(); ++c)
       mesh.elements(e, static_cast<Eigen::Index>(c)) = nodes[at(places[c])];
   }
-  remove(mesh, report.duplicates);
+  remove(mesh, copies(mesh));
   return report;
 }
 

@@ -195,3 +195,20 @@ TEST_CASE("repair: a real model with a vertex where two fans meet") {
   CHECK(after.count(Kind::non_manifold_vertex) == 0);
   CHECK(after.genus >= 0);
 }
+
+TEST_CASE("what is left of copies belongs to the groups of all of them") {
+  ElementMesh m;
+  m.shape = Shape::tet;
+  m.vertices.resize(5, 3);
+  m.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1;
+  m.elements.resize(3, 4);
+  m.elements << 0, 1, 2, 3, 1, 2, 3, 4, 2, 1, 0, 3;
+  ElementGroup first, second;
+  first.elements = {0, 1};
+  second.elements = {2};
+  m.groups = {first, second};
+  repair(m);
+  REQUIRE(m.elements.rows() == 2);
+  CHECK(m.groups[0].elements == std::vector<int>{0, 1});
+  CHECK(m.groups[1].elements == std::vector<int>{0});
+}

@@ -164,9 +164,9 @@ class Minimizer {
     if (confirm_scaled_ && promises_little(last_decrement_)) return !end_scaled();
     if (norm == 0) return !end(Status::converged_gradient, "the gradient is zero");
     if (summary_.iterations >= options_.max_iterations)
-      return !end(Status::stopped_iterations, "max_iterations reached");
+      return !end(Status::stopped_iterations, "the limit of iterations is reached");
     if (options_.time_limit > 0 && timer_.seconds() >= options_.time_limit)
-      return !end(Status::stopped_time, "time_limit reached");
+      return !end(Status::stopped_time, "the limit of time is reached");
     return false;
   }
 
