@@ -233,6 +233,6 @@ TEST_CASE("a time limit ends the solve with the best state") {
   const Outcome run = parameterize(
       {model, "-o", scratch.path("out"), "--no-picture", "--projection", "clamp", "--time-limit", "0.05"});
   CHECK(run.code == 5);
-  CHECK(run.err.find("time_limit") != std::string::npos);
+  CHECK(run.err.find("limit of time") != std::string::npos);
   CHECK(read_json(scratch.path("out/summary.json"))["flipped"] == 0);
 }

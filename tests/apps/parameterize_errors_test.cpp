@@ -131,7 +131,7 @@ TEST_CASE("the iteration limit is exit code 5, with the state reached") {
   const Outcome run =
       parameterize({scratch.path("face.obj"), "-o", scratch.path("out"), "--max-iterations", "1"});
   CHECK(run.code == 5);
-  CHECK(run.err.find("max_iterations") != std::string::npos);
+  CHECK(run.err.find("limit of iterations") != std::string::npos);
   const auto summary = read_json(scratch.path("out/summary.json"));
   CHECK(summary["status"] == "stopped_iterations");
   CHECK(summary["iterations"] == 1);
