@@ -46,8 +46,9 @@ mesh::Points2 carried(const mesh::Points2& uv, const std::vector<int>& previous)
   return now;
 }
 
+// start.uv is of the cut that the solve began with, which may have been extended since; nobody asks for it
+// any more.
 void follow(const Domain& domain, const mesh::Division& division, Start& start, Solution& solution) {
-  start.uv = carried(start.uv, division.previous_vertex);
   solution.uv = carried(solution.uv, division.previous_vertex);
   std::vector<Chart> charts = make_charts(domain, start);
   for (std::size_t c = 0; c < charts.size(); ++c) {
