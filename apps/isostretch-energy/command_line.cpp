@@ -16,8 +16,8 @@ Range parse_range(const std::string& text) {
   const auto ends = split(text, ':');
   const auto low = finite_number(ends[0]), high = finite_number(ends.back());
   if (ends.size() != 2 || !low || !high) throw Error("--range: '" + text + "' is not of the form LOW:HIGH");
-  if (!(*low > 0 && *low < 1 && *high > 1))
-    throw Error("--range: '" + text + "' must begin between 0 and 1 and end beyond 1");
+  if (!(*low >= 1e-9 && *low < 1 && *high > 1 && *high <= 1e9))
+    throw Error("--range: '" + text + "' must begin between 1e-9 and 1 and end between 1 and 1e9");
   return {*low, *high};
 }
 
