@@ -89,29 +89,29 @@ void refuse_quadrature(const BodySpec& spec, const char* what) {
                 ", one point is enough");
 }
 
-template <class Points>
-mesh::Points3 in_space(const Points& flat) {
+mesh::Points3 in_space(const mesh::Points2& flat) {
   mesh::Points3 points = mesh::Points3::Zero(flat.rows(), 3);
   points.leftCols(2) = flat.leftCols(2);
   return points;
 }
 
-Body quadratic_body(const mesh::QuadraticTriangleMesh& m, const BodySpec& spec) {
+template <class Elements>
+Body flat_body(Shape shape, const mesh::Points2& nodes, const Elements& elements) {
   Body body;
-  body.shape = Shape::quadratic_triangle;
-  body.nodes = in_space(m.nodes);
-  body.surface = flat_surface(body.nodes, m.triangles, body.shape);
-  return finished(std::move(body), m, spec);
+  body.shape = shape;
+  body.nodes = in_space(nodes);
+  body.surface = flat_surface(body.nodes, elements, shape);
+  return body;
+}
+
+Body quadratic_body(const mesh::QuadraticTriangleMesh& m, const BodySpec& spec) {
+  return finished(flat_body(Shape::quadratic_triangle, m.nodes, m.triangles), m, spec);
 }
 
 Body triangle_body(const mesh::Points2& vertices, const mesh::Triangles& triangles, const BodySpec& spec) {
   if (spec.order == 2) return quadratic_body(mesh::quadratic(vertices, triangles), spec);
-  Body body;
   refuse_quadrature(spec, "triangle");
-  body.shape = Shape::triangle;
-  body.nodes = in_space(vertices);
-  body.surface = flat_surface(body.nodes, triangles, body.shape);
-  return finished(std::move(body), mesh::elements(vertices, triangles));
+  return finished(flat_body(Shape::triangle, vertices, triangles), mesh::elements(vertices, triangles));
 }
 
 Body triangle_body(const mesh::SurfaceMesh& flat, const BodySpec& spec) {
@@ -119,11 +119,7 @@ Body triangle_body(const mesh::SurfaceMesh& flat, const BodySpec& spec) {
 }
 
 Body quad_body(const mesh::QuadMesh& m, const BodySpec& spec) {
-  Body body;
-  body.shape = Shape::quad;
-  body.nodes = in_space(m.vertices);
-  body.surface = flat_surface(body.nodes, m.quads, body.shape);
-  return finished(std::move(body), m, spec);
+  return finished(flat_body(Shape::quad, m.vertices, m.quads), m, spec);
 }
 
 Body quadratic_body(const mesh::QuadraticTetMesh& m, const BodySpec& spec) {

@@ -95,10 +95,6 @@ std::string point_text(const Eigen::Vector3d& p) {
   return formatted("(%.6g, %.6g, %.6g)", p[0], p[1], p[2]);
 }
 
-std::string counted(long long count, Shape shape) {
-  return with_thousands(count) + " " + (count == 1 ? mesh::shape_name(shape) : plural_name(shape));
-}
-
 std::string more(std::size_t count) {
   return count > most_listed
              ? ", and " + with_thousands(static_cast<long long>(count - most_listed)) + " more"

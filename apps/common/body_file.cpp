@@ -57,12 +57,11 @@ std::string listed_elements(const std::vector<int>& elements) {
   return text + (elements.size() > most ? ", ..." : "");
 }
 
-std::string counted(const std::vector<int>& elements, Shape shape) {
-  return std::to_string(elements.size()) + " " +
-         (elements.size() == 1 ? mesh::shape_name(shape) : plural_name(shape));
-}
-
 }  // namespace
+
+std::string counted(std::ptrdiff_t count, Shape shape) {
+  return with_thousands(count) + " " + (count == 1 ? mesh::shape_name(shape) : plural_name(shape));
+}
 
 std::vector<bool> used_vertices(const ElementMesh& m) {
   std::vector<bool> used(static_cast<std::size_t>(m.vertices.rows()), false);
@@ -131,10 +130,10 @@ void mend(ElementMesh& m, const MeshRepair& repair, const std::string& file) {
     notice(file + ": every " + mesh::shape_name(m.shape) +
            " is numbered the other way round; all were turned");
   else if (!faults.inverted.empty())
-    notice(file + ": repair: " + counted(faults.inverted, m.shape) +
+    notice(file + ": repair: " + counted(std::ssize(faults.inverted), m.shape) +
            " turned: " + listed_elements(faults.inverted));
   if (!faults.duplicates.empty())
-    notice(file + ": repair: " + counted(faults.duplicates, m.shape) +
+    notice(file + ": repair: " + counted(std::ssize(faults.duplicates), m.shape) +
            " there twice, left out: " + listed_elements(faults.duplicates));
 }
 

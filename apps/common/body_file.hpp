@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ void mend(mesh::ElementMesh& m, const MeshRepair& repair, const std::string& fil
 
 /// Returns "tet 17 (vertices 3 9 12 40)".
 std::string element_text(const mesh::ElementMesh& m, int e);
+
+/// Returns "1 tet", "1,234 tets".
+std::string counted(std::ptrdiff_t count, mesh::Shape shape);
 
 /// Returns for every vertex whether it belongs to an element.
 std::vector<bool> used_vertices(const mesh::ElementMesh& m);

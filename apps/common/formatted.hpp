@@ -21,4 +21,10 @@ inline std::string with_thousands(long long count) {
   return text;
 }
 
+// "1 chart", "1,234 charts".
+template <class Count>
+std::string counted(Count count, const std::string& what) {
+  return with_thousands(static_cast<long long>(count)) + " " + what + (count == 1 ? "" : "s");
+}
+
 }  // namespace isostretch::app

@@ -47,18 +47,9 @@ void CommandLine::declare_files(CLI::App& cli) {
                  "End this run after so many frames, to go on with --restart later")
       ->check(whole_number_between(0, 1'000'000))
       ->type_name("N");
-  cli.add_option("--format", format_, "File format of the frames: " + listed(all_names(frame_format_names)))
-      ->check(one_of(all_names(frame_format_names)))
-      ->type_name("NAME")
-      ->default_str("vtu");
   repair_flags_.declare(cli);
-  cli.add_flag("--glb", glb_,
-               "Also write deform.glb, an animation for Blender and game engines: the frames are morph "
-               "targets (shape keys)");
-  auto* no_picture =
-      cli.add_flag("--no-picture", no_picture_,
-                   "Draw no deform.png and write no report.html, which saves time on large bodies");
-  no_picture->excludes(cli.get_option("--preview"));
+  declare_frames(cli, frame_flags_, "deform.glb");
+  cli.get_option("--no-picture")->excludes(cli.get_option("--preview"));
 }
 
 void CommandLine::declare_scene(CLI::App& cli) {
@@ -127,8 +118,8 @@ Options CommandLine::options() const {
     if (out_.empty() && !look_.check) throw Error("--out: a folder for the results is needed");
     options.restart = restart_;
     options.stop_after = stop_after_;
-    options.picture = !no_picture_;
-    options.glb = glb_;
+    options.picture = !frame_flags_.no_picture;
+    options.glb = frame_flags_.glb;
     newton::Options newton;
     solver_flags_.apply(newton);
     options.time_limit = newton.time_limit;
@@ -171,7 +162,7 @@ Json CommandLine::scene() const {
   }
   if (frames_) scene["frames"] = *frames_;
   if (guess_) scene["guess"] = *guess_;
-  if (format_) scene["format"] = *format_;
+  if (frame_flags_.format) scene["format"] = *frame_flags_.format;
   if (order_) scene["order"] = *order_;
   if (quadrature_) scene["quadrature"] = *quadrature_;
   newton::Options newton =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/frame_flags.hpp"
 #include "common/look_flags.hpp"
 #include "common/output_folder.hpp"
 #include "common/repair_flags.hpp"
@@ -43,15 +44,16 @@ class CommandLine {
 
   std::filesystem::path input_;
   std::string out_;
-  std::optional<std::string> energy_, guess_, format_;
+  std::optional<std::string> energy_, guess_;
   std::optional<int> frames_, order_, quadrature_;
   std::optional<double> young_, poisson_;
   std::vector<std::string> parameters_, handles_;
   SolverFlags solver_flags_;
   RepairFlags repair_flags_;
+  FrameFlags frame_flags_;
   LookFlags look_;
   int stop_after_ = -1;
-  bool restart_ = false, no_picture_ = false, glb_ = false;
+  bool restart_ = false;
 };
 
 }  // namespace isostretch::app::deform

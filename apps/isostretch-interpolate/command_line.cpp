@@ -47,16 +47,8 @@ void CommandLine::declare_files(CLI::App& cli) {
       ->check(whole_number_between(1, 1'000'000))
       ->type_name("N")
       ->capture_default_str();
-  cli.add_option("--format", format_, "File format of the frames: " + listed(all_names(frame_format_names)))
-      ->check(one_of(all_names(frame_format_names)))
-      ->type_name("NAME")
-      ->capture_default_str();
   repair_flags_.declare(cli);
-  cli.add_flag("--glb", glb_,
-               "Also write interpolation.glb, an animation for Blender and game engines: the frames are "
-               "morph targets (shape keys)");
-  cli.add_flag("--no-picture", no_pictures_,
-               "Draw no pictures and write no report.html, which saves time on large bodies");
+  declare_frames(cli, frame_flags_, "interpolation.glb");
 }
 
 void CommandLine::declare_energy(CLI::App& cli) {
@@ -97,9 +89,9 @@ Options CommandLine::options() const {
     options.energy = energy_;
     options.parameters = parse_parameters(parameters_);
     options.guess = choice_of(guess_names, guess_);
-    options.format = choice_of(frame_format_names, format_);
-    options.pictures = !no_pictures_;
-    options.glb = glb_;
+    if (frame_flags_.format) options.format = choice_of(frame_format_names, *frame_flags_.format);
+    options.pictures = !frame_flags_.no_picture;
+    options.glb = frame_flags_.glb;
     solver_flags_.apply(options.newton);
     // A gradient that was asked for is the only test.
     if (options.newton.gradient_tolerance > 0) options.newton.relative_energy_tolerance = 0;

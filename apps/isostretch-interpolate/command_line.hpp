@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/frame_flags.hpp"
 #include "common/repair_flags.hpp"
 #include "common/solver_flags.hpp"
 #include "options.hpp"
@@ -29,12 +30,12 @@ class CommandLine {
   std::string first_, second_, out_;
   std::string energy_ = defaults_.energy;
   std::string guess_ = name_of(guess_names, defaults_.guess);
-  std::string format_ = name_of(frame_format_names, defaults_.format);
   int frames_ = defaults_.frames;
   std::vector<std::string> parameters_;
   SolverFlags solver_flags_;
   RepairFlags repair_flags_;
-  bool no_pictures_ = false, glb_ = false, check_ = false;
+  FrameFlags frame_flags_;
+  bool check_ = false;
 };
 
 }  // namespace isostretch::app::interpolate

@@ -85,15 +85,9 @@ void CommandLine::declare_files(CLI::App& cli) {
                  "Keep handle weights in that folder, and take them from it: further runs with the same body "
                  "and handles begin faster")
       ->type_name("FOLDER");
-  add_choice(cli, "--format", format_, frame_format_names, "File format of the frames: ", "vtu");
   repair_flags_.declare(cli);
-  cli.add_flag("--glb", glb_,
-               "Also write manipulate.glb, an animation for Blender and game engines: the frames are morph "
-               "targets (shape keys)");
-  auto* no_picture =
-      cli.add_flag("--no-picture", no_picture_,
-                   "Draw no pictures and write no report.html, which saves time on large bodies");
-  no_picture->excludes(cli.get_option("--preview"));
+  declare_frames(cli, frame_flags_, "manipulate.glb");
+  cli.get_option("--no-picture")->excludes(cli.get_option("--preview"));
 }
 
 void CommandLine::declare_problem(CLI::App& cli) {
@@ -220,8 +214,8 @@ Options CommandLine::options() const {
     options.memory_limit = memory_limit_;
     options.compare = compare_;
     options.repetitions = repetitions_;
-    options.picture = !no_picture_;
-    options.glb = glb_;
+    options.picture = !frame_flags_.no_picture;
+    options.glb = frame_flags_.glb;
     options.weights_cache = weights_cache_;
     if (frames_ && frames_->find(':') != std::string::npos) {
       const auto ends = split(*frames_, ':');
@@ -300,7 +294,7 @@ Json CommandLine::scene() const {
   if (relinearize_) scene["relinearize"] = *relinearize_;
   if (gap_) scene["gap"] = *gap_;
   if (max_iterations_) scene["max_iterations"] = *max_iterations_;
-  if (format_) scene["format"] = *format_;
+  if (frame_flags_.format) scene["format"] = *frame_flags_.format;
   return scene;
 }
 

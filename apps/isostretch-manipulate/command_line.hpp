@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/frame_flags.hpp"
 #include "common/look_flags.hpp"
 #include "common/output_folder.hpp"
 #include "common/repair_flags.hpp"
@@ -50,16 +51,17 @@ class CommandLine {
 
   std::filesystem::path input_;
   std::string out_, weights_cache_, compare_;
-  std::optional<std::string> mesh_, frames_, weights_, rotations_, blend_, method_, penalty_, format_, photo_,
+  std::optional<std::string> mesh_, frames_, weights_, rotations_, blend_, method_, penalty_, photo_,
       photo_fit_, solver_;
   std::optional<double> alpha_, incompressibility_, margin_, largest_stretch_, gap_;
   std::optional<int> max_iterations_, relinearize_, photo_cells_;
   std::vector<std::string> handles_;
   RepairFlags repair_flags_;
+  FrameFlags frame_flags_;
   LookFlags look_;
   int refine_ = 1, repetitions_ = 1;
   double time_limit_ = 0, memory_limit_ = 0;
-  bool absolute_ = false, no_picture_ = false, glb_ = false;
+  bool absolute_ = false;
 };
 
 }  // namespace isostretch::app::manipulate

@@ -1,6 +1,7 @@
 #include "domain.hpp"
 
 #include "common/exit_code.hpp"
+#include "common/formatted.hpp"
 #include "common/terminal.hpp"
 
 #include <isostretch/mesh/check.hpp>
@@ -19,10 +20,6 @@
 
 namespace isostretch::app::parameterize {
 namespace {
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 // Vertices of no triangle do no harm, and without them numbers would change.
 constexpr mesh::RepairOptions repairs{.split_vertices = true, .remove_unreferenced = false};
@@ -192,6 +189,10 @@ Domain read_domain(const Options& options) {
     });
     return domain;
   });
+}
+
+mesh::Points2 rows_of(const mesh::Points2& uv, const std::vector<int>& rows) {
+  return uv(rows, Eigen::all);
 }
 
 int open_vertex(const Domain& domain, int input_vertex, const char* option) {

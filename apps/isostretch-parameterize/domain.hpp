@@ -37,6 +37,10 @@ std::string check_report(const Options& options, bool& clean);
 // Throws Failure: ExitCode::input naming file and element for what cannot be read or flattened.
 Domain read_domain(const Options& options);
 
+// The rows of a layout that are listed, in that order: of a chart's vertices, or of copies that a cut has
+// made.
+mesh::Points2 rows_of(const mesh::Points2& uv, const std::vector<int>& rows);
+
 // The vertex of the opened mesh that a vertex of the input is; ExitCode::command_line when it does not exist
 // or a seam has made several of it. `option` is what asked, for the message.
 int open_vertex(const Domain& domain, int input_vertex, const char* option);

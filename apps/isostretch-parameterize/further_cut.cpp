@@ -1,13 +1,14 @@
 #include "further_cut.hpp"
 
-#include <isostretch/core/error.hpp>
 #include <isostretch/mesh/boundary.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <set>
+#include <span>
 #include <utility>
 
 namespace isostretch::app::parameterize {
@@ -89,17 +90,43 @@ struct Star {
   bool on_boundary() const { return neighbours.size() != triangles; }
 };
 
-Star star_of(const mesh::Triangles& triangles, int vertex) {
-  Star star;
-  for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
-    const auto corners = triangles.row(t);
-    if ((corners.array() != vertex).all()) continue;
-    ++star.triangles;
-    star.neighbours.insert(corners.begin(), corners.end());
+// The triangles around every vertex, found in one pass.
+class Stars {
+ public:
+  Stars(const mesh::Triangles& triangles, Eigen::Index vertices)
+      : triangles_(triangles), begin_(static_cast<std::size_t>(vertices) + 1, 0) {
+    const auto corners = static_cast<std::size_t>(triangles.size());
+    for (std::size_t i = 0; i < corners; ++i) ++begin_[vertex_at(i) + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    triangle_.resize(corners);
+    std::vector<std::size_t> next = begin_;
+    for (std::size_t i = 0; i < corners; ++i) triangle_[next[vertex_at(i)]++] = static_cast<int>(i / 3);
   }
-  star.neighbours.erase(vertex);
-  return star;
-}
+
+  std::span<const int> triangles_around(int vertex) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    return std::span(triangle_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
+  }
+
+  Star of(int vertex) const {
+    Star star;
+    for (const int t : triangles_around(vertex)) {
+      ++star.triangles;
+      star.neighbours.insert(triangles_.row(t).begin(), triangles_.row(t).end());
+    }
+    star.neighbours.erase(vertex);
+    return star;
+  }
+
+ private:
+  std::size_t vertex_at(std::size_t corner) const {
+    return static_cast<std::size_t>(triangles_.data()[corner]);
+  }
+
+  const mesh::Triangles& triangles_;
+  std::vector<std::size_t> begin_;
+  std::vector<int> triangle_;
+};
 
 // Where a cut that ends at the vertex comes from; -1: none ends there. Both sides of its last edge are at the
 // vertex.
@@ -113,17 +140,16 @@ int comes_from(const Domain& domain, const Star& star) {
 }
 
 // Two edges on from the end of a cut, as straight as edges allow; -1: nothing lies ahead.
-int straight_on(const Domain& domain, int end, int from, const Star& around_end) {
+int straight_on(const Domain& domain, const Stars& stars, int end, int from, const Star& around_end) {
   const mesh::SurfaceMesh& open = domain.open();
   const Eigen::RowVector3d ahead = (open.vertices.row(end) - open.vertices.row(from)).normalized();
   double straightest = 0.7;
   int best = -1;
   for (const int near : around_end.neighbours) {
-    const Star star = star_of(open.triangles, near);
+    const Star star = stars.of(near);
     if (star.on_boundary()) continue;
     for (const int v : star.neighbours) {
-      if (v == end || around_end.neighbours.count(v) > 0 || star_of(open.triangles, v).on_boundary())
-        continue;
+      if (v == end || around_end.neighbours.count(v) > 0 || stars.of(v).on_boundary()) continue;
       const double cosine = (open.vertices.row(v) - open.vertices.row(end)).normalized().dot(ahead);
       if (cosine > straightest) straightest = cosine, best = v;
     }
@@ -132,11 +158,11 @@ int straight_on(const Domain& domain, int end, int from, const Star& around_end)
 }
 
 // A triangle beside the end of a cut is distorted because the cut ends too early: it goes straight on.
-int place_to_reach(const Domain& domain, int vertex, const Star& star) {
+int place_to_reach(const Domain& domain, const Stars& stars, int vertex, const Star& star) {
   for (const int end : star.neighbours) {
-    const Star around = star_of(domain.open().triangles, end);
+    const Star around = stars.of(end);
     const int from = comes_from(domain, around);
-    const int ahead = from < 0 ? -1 : straight_on(domain, end, from, around);
+    const int ahead = from < 0 ? -1 : straight_on(domain, stars, end, from, around);
     if (ahead >= 0) return ahead;
   }
   return vertex;
@@ -145,19 +171,13 @@ int place_to_reach(const Domain& domain, int vertex, const Star& star) {
 }  // namespace
 
 int cut_at(Domain& domain, int vertex, OnFromEnd on, mesh::Points2& uv) {
-  const Star star = star_of(domain.open().triangles, vertex);
+  const Stars stars(domain.open().triangles, domain.open().vertices.rows());
+  const Star star = stars.of(vertex);
   if (star.on_boundary()) return -1;
-  if (on == OnFromEnd::straight) vertex = place_to_reach(domain, vertex, star);
-  const std::vector<int> before = mesh::extend_cut(domain.cut, vertex);
-  mesh::Points2 carried(static_cast<Eigen::Index>(before.size()), 2);
-  for (std::size_t v = 0; v < before.size(); ++v)
-    carried.row(static_cast<Eigen::Index>(v)) = uv.row(before[v]);
-  uv = carried;
-  const mesh::Triangles& triangles = domain.open().triangles;
-  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
-    for (int c = 0; c < 3; ++c)
-      if (triangles(t, c) == vertex) return domain.cut.chart[static_cast<std::size_t>(t)];
-  throw Error("vertex " + std::to_string(vertex) + " is in no triangle of the cut mesh");
+  if (on == OnFromEnd::straight) vertex = place_to_reach(domain, stars, vertex, star);
+  const int chart = domain.cut.chart[static_cast<std::size_t>(stars.triangles_around(vertex).front())];
+  uv = rows_of(uv, mesh::extend_cut(domain.cut, vertex));
+  return chart;
 }
 
 int worst_triangle(const Domain& domain, const std::vector<double>& stretches, double bound) {

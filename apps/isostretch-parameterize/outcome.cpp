@@ -7,10 +7,6 @@
 namespace isostretch::app::parameterize {
 namespace {
 
-std::string counted(std::size_t count, const std::string& what) {
-  return with_thousands(static_cast<long long>(count)) + " " + what + (count == 1 ? "" : "s");
-}
-
 std::string flips_text(const Result& r) {
   const std::size_t flipped = r.layout.flipped.size();
   if (flipped == 0) return "no triangle is turned over";
@@ -32,8 +28,7 @@ std::string stretch_text(const Result& r) {
 
 std::string end_text(const Result& r) {
   const newton::Summary& s = r.solution.summary;
-  const std::string effort =
-      counted(static_cast<std::size_t>(s.iterations), "iteration") + formatted(", %.2g s", s.seconds.total);
+  const std::string effort = counted(s.iterations, "iteration") + formatted(", %.2g s", s.seconds.total);
   if (s.converged()) return "converged (" + effort + ")";
   return "NOT converged: " + s.message + " (" + effort + ")";
 }

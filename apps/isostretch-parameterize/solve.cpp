@@ -40,8 +40,7 @@ class Solver {
     for (std::size_t c = 0; c < start_.charts.size(); ++c) solve_chart(static_cast<int>(c), Care::full, true);
     if (options_.max_distortion > 0) cut_further();
     if (reaches_tips()) reach_remaining_tips();
-    if (solution_.cuts > 0)
-      notice("cut further from " + std::to_string(solution_.cuts) + " distorted place(s)");
+    if (solution_.cuts > 0) notice("cut further from " + counted(solution_.cuts, "distorted place"));
     combine_runs(solution_.runs, solution_.summary, solution_.chart_of_row);
     solution_.worst_distortion = worst_distortion(solution_.stretches);
     solution_.pins = pins_;

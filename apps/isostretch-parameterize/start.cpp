@@ -189,10 +189,7 @@ void require_startable(const Chart& chart, const Start& start, const std::string
 }  // namespace
 
 mesh::Points2 Chart::gather(const mesh::Points2& uv) const {
-  mesh::Points2 own(static_cast<Eigen::Index>(open_vertex.size()), 2);
-  for (std::size_t v = 0; v < open_vertex.size(); ++v)
-    own.row(static_cast<Eigen::Index>(v)) = uv.row(open_vertex[v]);
-  return own;
+  return rows_of(uv, open_vertex);
 }
 
 void Chart::scatter(const mesh::Points2& own, mesh::Points2& uv) const {

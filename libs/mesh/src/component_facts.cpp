@@ -1,4 +1,5 @@
 #include "findings.hpp"
+#include "index.hpp"
 #include "measure.hpp"
 #include "orient.hpp"
 
@@ -9,10 +10,6 @@
 
 namespace isostretch::mesh {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class Counter {
  public:

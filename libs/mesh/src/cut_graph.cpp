@@ -1,5 +1,6 @@
 #include "cut_graph.hpp"
 
+#include "index.hpp"
 #include "shortest_paths.hpp"
 #include "topology.hpp"
 
@@ -12,10 +13,6 @@ namespace {
 
 constexpr int base_points = 6;          // tried for surfaces with handles
 constexpr double keep_away_factor = 8;  // of edges at holes that are kept
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 CutProblem make_problem(const Piece& piece, const std::vector<char>& kept) {
   const HalfEdges& surface = piece.surface;

@@ -1,5 +1,6 @@
 #include "cuttable.hpp"
 #include "gather.hpp"
+#include "index.hpp"
 #include "measure.hpp"
 
 #include <isostretch/core/error.hpp>
@@ -12,10 +13,6 @@
 
 namespace isostretch::mesh {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Edge edge_of(const HalfEdges& surface, int h) {
   const auto [low, high] = std::minmax({surface.from(h), surface.to(h)});

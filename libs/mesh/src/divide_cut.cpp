@@ -1,4 +1,5 @@
 #include "gather.hpp"
+#include "index.hpp"
 #include "measure.hpp"
 #include "overlap_parts.hpp"
 #include "topology.hpp"
@@ -13,10 +14,6 @@
 
 namespace isostretch::mesh {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void require_parts(const Cut& cut, const std::vector<int>& part) {
   if (part.size() != cut.chart.size())

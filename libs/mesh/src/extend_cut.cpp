@@ -1,4 +1,5 @@
 #include "cuttable.hpp"
+#include "index.hpp"
 #include "measure.hpp"
 #include "shortest_paths.hpp"
 
@@ -13,10 +14,6 @@
 
 namespace isostretch::mesh {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 [[noreturn]] void cannot_extend(int vertex, const char* why) {
   throw Error("cannot extend the cut from vertex " + std::to_string(vertex) + ": it " + why);

@@ -1,15 +1,13 @@
 #include "minimum_cut.hpp"
 
+#include "index.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 
 namespace isostretch::mesh {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class Flow {
  public:

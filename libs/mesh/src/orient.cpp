@@ -1,5 +1,7 @@
 #include "orient.hpp"
 
+#include "index.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -45,7 +47,6 @@ class ParitySets {
   bool odd(int root) const { return odd_[at(root)] != 0; }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   int parent(int i) const { return parent_[at(i)]; }
 
   std::vector<int> parent_;

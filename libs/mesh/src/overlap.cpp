@@ -1,5 +1,6 @@
 #include <isostretch/mesh/overlap.hpp>
 
+#include "index.hpp"
 #include "parallel_blocks.hpp"
 #include "plane_triangles.hpp"
 
@@ -12,10 +13,6 @@ namespace isostretch::mesh {
 namespace {
 
 constexpr int block_size = 512;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Segment {
   PlanePoint from{}, to{};

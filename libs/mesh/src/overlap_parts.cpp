@@ -1,5 +1,6 @@
 #include "overlap_parts.hpp"
 
+#include "index.hpp"
 #include "measure.hpp"
 #include "minimum_cut.hpp"
 #include "topology.hpp"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <queue>
@@ -16,10 +18,6 @@
 
 namespace isostretch::mesh {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Sides that two triangles of one group share, by their length in space. Whole numbers: sums have no order.
 TriangleGraph graph_of(const SurfaceMesh& mesh, const std::vector<int>& group) {
@@ -124,11 +122,13 @@ class Divider {
     }
   }
 
-  // What comes of it is looked at later.
+  // What comes of it is looked at later. Most parts have no overlap, and cost nothing but that look.
   void divide_part(int part) {
+    const std::vector<int> overlapped = overlapped_among(members_[at(part)]);
+    if (overlapped.empty()) return;
     std::vector<signed char> mark(part_.size(), -1);
     for (const int t : members_[at(part)]) mark[at(t)] = 0;
-    if (!choose_sides(members_[at(part)], mark)) return;
+    choose_sides(overlapped, mark);
     const std::vector<char> near = minimum_cut(graph_, mark);
     std::vector<int> first, rest;
     for (const int t : members_[at(part)]) (near[at(t)] ? first : rest).push_back(t);
@@ -137,20 +137,23 @@ class Divider {
     separate(rest);
   }
 
-  // Triangles that must come apart: those of two patches that lie on each other, the largest such pair; or
-  // else of one patch that lies on itself.
-  bool choose_sides(const std::vector<int>& part, std::vector<signed char>& mark) const {
+  // Those of the triangles of one part that lie on another of it.
+  std::vector<int> overlapped_among(const std::vector<int>& part) const {
     std::vector<int> overlapped;
-    std::vector<int> patch(part_.size(), -1);
-    const auto overlaps = [&](int t) {
+    std::copy_if(part.begin(), part.end(), std::back_inserter(overlapped), [&](int t) {
       return std::any_of(others_[at(t)].begin(), others_[at(t)].end(),
                          [&](int other) { return conflict(t, other); });
-    };
+    });
+    return overlapped;
+  }
+
+  // Triangles that must come apart: those of two patches that lie on each other, the largest such pair; or
+  // else of one patch that lies on itself.
+  void choose_sides(const std::vector<int>& overlapped, std::vector<signed char>& mark) const {
     std::vector<char> in(part_.size(), 0);
-    for (const int t : part)
-      if (overlaps(t)) overlapped.push_back(t), in[at(t)] = 1;
-    if (overlapped.empty()) return false;
-    const auto patches = connected(overlapped, [&](int, int b) { return in[at(b)] && conflict(b, part[0]); });
+    for (const int t : overlapped) in[at(t)] = 1;
+    const auto patches = connected(overlapped, [&](int, int b) { return in[at(b)] != 0; });
+    std::vector<int> patch(part_.size(), -1);
     for (std::size_t p = 0; p < patches.size(); ++p)
       for (const int t : patches[p]) patch[at(t)] = static_cast<int>(p);
     std::map<std::pair<int, int>, long> count;
@@ -165,7 +168,6 @@ class Divider {
       mark_by_growing(patches[at(count.begin()->first.first)], mark);
     else
       mark_pair(overlapped, patch, most, mark);
-    return true;
   }
 
   void mark_pair(const std::vector<int>& overlapped, const std::vector<int>& patch,

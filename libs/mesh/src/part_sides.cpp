@@ -1,16 +1,13 @@
 #include <isostretch/mesh/overlap.hpp>
 
 #include "exact_side.hpp"
+#include "index.hpp"
 #include "topology.hpp"
 
 #include <algorithm>
 
 namespace isostretch::mesh {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::vector<char> vertices_that_overlap(const Points2& uv, const Triangles& triangles) {
   std::vector<char> concerned(static_cast<std::size_t>(uv.rows()), 0);

@@ -1,5 +1,6 @@
 #include "cut_graph.hpp"
 #include "generic_weights.hpp"
+#include "index.hpp"
 #include "measure.hpp"
 #include "shortest_paths.hpp"
 
@@ -13,10 +14,6 @@
 
 namespace isostretch::mesh {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // How much curvature the surface has at each vertex, and how strongly neighbours are coupled: what the
 // logarithm of the scale of a conformal map to the plane follows from, by one linear equation.

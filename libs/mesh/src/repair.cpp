@@ -1,4 +1,5 @@
 #include "gather.hpp"
+#include "index.hpp"
 #include "measure.hpp"
 #include "orient.hpp"
 #include "require.hpp"
@@ -12,10 +13,6 @@
 
 namespace isostretch::mesh {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::array<int, 3> ordered(const Triangles& triangles, int t) {
   std::array<int, 3> v = {triangles(t, 0), triangles(t, 1), triangles(t, 2)};

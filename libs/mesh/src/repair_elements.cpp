@@ -1,3 +1,4 @@
+#include "index.hpp"
 #include "measure.hpp"
 #include "require.hpp"
 
@@ -11,10 +12,6 @@
 
 namespace isostretch::mesh {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 // From one corner along three edges (two in the plane), with the sign of the volume; at the middle of a hex.
 double orientation(const ElementMesh& mesh, int e) {

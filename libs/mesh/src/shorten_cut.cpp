@@ -1,4 +1,5 @@
 #include "cut_graph.hpp"
+#include "index.hpp"
 #include "shortest_paths.hpp"
 
 #include <algorithm>
@@ -10,10 +11,6 @@ namespace {
 constexpr int max_sweeps = 3;
 // What replaces a path must be shorter by more than this fraction: less may be rounding.
 constexpr double least_gain = 1e-6;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Path {
   double weight = 0;

@@ -206,56 +206,32 @@ const std::string vtk_default = R"(<?xml version="1.0"?>
   </AppendedData>
 </VTKFile>
 )";
-const std::string meshio_default = R"(<?xml version="1.0"?>
+// Five points, and cells of which the arrays are given.
+std::string meshio_file(int cells, const std::string& connectivity, const std::string& offsets,
+                        const std::string& types) {
+  const auto array = [](const std::string& attributes, const std::string& data) {
+    return "<DataArray " + attributes + " format=\"binary\">\n" + data + "\n</DataArray>\n";
+  };
+  return R"(<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian" compressor="vtkZLibDataCompressor">
 <!--This file was created by meshio v5.0.0-->
 <UnstructuredGrid>
-<Piece NumberOfPoints="5" NumberOfCells="2">
-<Points>
-<DataArray type="Float64" Name="Points" NumberOfComponents="3" format="binary">
-AQAAAACAAAB4AAAAFAAAAA==eJxjYMAHPtjjlSZaHpMGAPByBxs=
-</DataArray>
-</Points>
-<Cells>
-<DataArray type="Int64" Name="connectivity" format="binary">
-AQAAAACAAABAAAAAFwAAAA==eJxjYIAARijNBKWZ0cRZcMgDAAIIABE=
-</DataArray>
-<DataArray type="Int64" Name="offsets" format="binary">
-AQAAAACAAAAQAAAADgAAAA==eJxjYYAADigNAACQAA0=
-</DataArray>
-<DataArray type="Int64" Name="types" format="binary">
-AQAAAACAAAAQAAAADgAAAA==eJzjYoAALigNAAEAABU=
-</DataArray>
-</Cells>
-</Piece>
-</UnstructuredGrid>
-</VTKFile>
-)";
-const std::string meshio_mixed = R"(<?xml version="1.0"?>
-<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian" compressor="vtkZLibDataCompressor">
-<!--This file was created by meshio v5.0.0-->
-<UnstructuredGrid>
-<Piece NumberOfPoints="5" NumberOfCells="4">
-<Points>
-<DataArray type="Float64" Name="Points" NumberOfComponents="3" format="binary">
-AQAAAACAAAB4AAAAFAAAAA==eJxjYMAHPtjjlSZaHpMGAPByBxs=
-</DataArray>
-</Points>
-<Cells>
-<DataArray type="Int64" Name="connectivity" format="binary">
-AQAAAACAAABwAAAAIAAAAA==eJxjYIAARijNBKWZCYizMKACmDwjmjiMD9MHAAW4ABg=
-</DataArray>
-<DataArray type="Int64" Name="offsets" format="binary">
-AQAAAACAAAAgAAAAEwAAAA==eJxjYYAADijNDaX5oDQAAoAAJg==
-</DataArray>
-<DataArray type="Int64" Name="types" format="binary">
-AQAAAACAAAAgAAAAEQAAAA==eJzjYoAALijNikYDAALIAB8=
-</DataArray>
-</Cells>
-</Piece>
-</UnstructuredGrid>
-</VTKFile>
-)";
+<Piece NumberOfPoints="5" NumberOfCells=")" +
+         std::to_string(cells) + "\">\n<Points>\n" +
+         array(R"(type="Float64" Name="Points" NumberOfComponents="3")",
+               "AQAAAACAAAB4AAAAFAAAAA==eJxjYMAHPtjjlSZaHpMGAPByBxs=") +
+         "</Points>\n<Cells>\n" + array(R"(type="Int64" Name="connectivity")", connectivity) +
+         array(R"(type="Int64" Name="offsets")", offsets) + array(R"(type="Int64" Name="types")", types) +
+         "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+const std::string meshio_default = meshio_file(
+    2, "AQAAAACAAABAAAAAFwAAAA==eJxjYIAARijNBKWZ0cRZcMgDAAIIABE=",
+    "AQAAAACAAAAQAAAADgAAAA==eJxjYYAADigNAACQAA0=", "AQAAAACAAAAQAAAADgAAAA==eJzjYoAALigNAAEAABU=");
+const std::string meshio_mixed =
+    meshio_file(4, "AQAAAACAAABwAAAAIAAAAA==eJxjYIAARijNBKWZCYizMKACmDwjmjiMD9MHAAW4ABg=",
+                "AQAAAACAAAAgAAAAEwAAAA==eJxjYYAADijNDaX5oDQAAoAAJg==",
+                "AQAAAACAAAAgAAAAEQAAAA==eJzjYoAALijNikYDAALIAB8=");
 
 }  // namespace
 

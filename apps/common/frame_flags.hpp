@@ -1,0 +1,24 @@
+#pragma once
+
+#include "common/frames.hpp"
+
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace isostretch::app {
+
+/// --format, --glb and --no-picture: what apps write of a sequence of frames.
+struct FrameFlags {
+  std::optional<std::string> format;  // one of frame_format_names
+  bool glb = false;
+  bool no_picture = false;
+};
+
+/// Declares them; `animation` is the name of the file that --glb adds.
+void declare_frames(CLI::App& cli, FrameFlags& flags, const std::string& animation);
+
+}  // namespace isostretch::app

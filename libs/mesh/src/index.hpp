@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstddef>
+
+namespace isostretch::mesh {
+
+// An index of a mesh as one of a container.
+inline std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace isostretch::mesh
