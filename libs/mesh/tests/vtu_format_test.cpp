@@ -207,9 +207,9 @@ const std::string vtk_default = R"(<?xml version="1.0"?>
 </VTKFile>
 )";
 // Five points, and cells of which the arrays are given.
-std::string meshio_file(int cells, const std::string& connectivity, const std::string& offsets,
-                        const std::string& types) {
-  const auto array = [](const std::string& attributes, const std::string& data) {
+std::string meshio_file(int cells, const std::string& corners, const std::string& ends,
+                        const std::string& kinds) {
+  const auto data_array = [](const std::string& attributes, const std::string& data) {
     return "<DataArray " + attributes + " format=\"binary\">\n" + data + "\n</DataArray>\n";
   };
   return R"(<?xml version="1.0"?>
@@ -218,10 +218,11 @@ std::string meshio_file(int cells, const std::string& connectivity, const std::s
 <UnstructuredGrid>
 <Piece NumberOfPoints="5" NumberOfCells=")" +
          std::to_string(cells) + "\">\n<Points>\n" +
-         array(R"(type="Float64" Name="Points" NumberOfComponents="3")",
-               "AQAAAACAAAB4AAAAFAAAAA==eJxjYMAHPtjjlSZaHpMGAPByBxs=") +
-         "</Points>\n<Cells>\n" + array(R"(type="Int64" Name="connectivity")", connectivity) +
-         array(R"(type="Int64" Name="offsets")", offsets) + array(R"(type="Int64" Name="types")", types) +
+         data_array(R"(type="Float64" Name="Points" NumberOfComponents="3")",
+                    "AQAAAACAAAB4AAAAFAAAAA==eJxjYMAHPtjjlSZaHpMGAPByBxs=") +
+         "</Points>\n<Cells>\n" + data_array(R"(type="Int64" Name="connectivity")", corners) +
+         data_array(R"(type="Int64" Name="offsets")", ends) +
+         data_array(R"(type="Int64" Name="types")", kinds) +
          "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
