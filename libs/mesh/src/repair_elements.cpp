@@ -95,7 +95,7 @@ void remove(ElementMesh& mesh, const std::vector<Copy>& copies) {
   int kept = 0;
   for (int e = 0; e < mesh.elements.rows(); ++e)
     if (!std::binary_search(elements.begin(), elements.end(), e)) {
-      mesh.elements.row(kept) = mesh.elements.row(e).eval();
+      mesh.elements.row(kept) = mesh.elements.row(e);
       number[at(e)] = kept++;
     }
   mesh.elements.conservativeResize(kept, mesh.elements.cols());
