@@ -24,7 +24,7 @@ class BoxTree {
  public:
   explicit BoxTree(const std::vector<PlaneBox>& boxes);
 
-  // Calls visit(i) for every box i that meets the given one, ascending.
+  // Calls visit(i) for every box i that meets the given one, ascending, until it returns false.
   template <class Visit>
   void query(const PlaneBox& box, const Visit& visit) const {
     if (!levels_.empty()) descend(levels_.size() - 1, 0, box, visit);
@@ -32,12 +32,12 @@ class BoxTree {
 
  private:
   template <class Visit>
-  void descend(std::size_t level, std::size_t node, const PlaneBox& box, const Visit& visit) const {
-    if (!levels_[level][node].meets(box)) return;
+  bool descend(std::size_t level, std::size_t node, const PlaneBox& box, const Visit& visit) const {
+    if (!levels_[level][node].meets(box)) return true;
     if (level == 0) return visit(static_cast<int>(node));
     const std::size_t first = 2 * node, below = levels_[level - 1].size();
-    descend(level - 1, first, box, visit);
-    if (first + 1 < below) descend(level - 1, first + 1, box, visit);
+    return descend(level - 1, first, box, visit) &&
+           (first + 1 >= below || descend(level - 1, first + 1, box, visit));
   }
 
   std::vector<std::vector<PlaneBox>> levels_;  // leaves first; each next one has boxes of two

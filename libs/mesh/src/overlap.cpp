@@ -1,5 +1,6 @@
 #include <isostretch/mesh/overlap.hpp>
 
+#include "depth.hpp"
 #include "index.hpp"
 #include "parallel_blocks.hpp"
 #include "plane_triangles.hpp"
@@ -41,23 +42,12 @@ PlanePoint crossing(Segment a, Segment b) {
   return {a.from[0] + t * (a.to[0] - a.from[0]), a.from[1] + t * (a.to[1] - a.from[1])};
 }
 
-// A place on a segment.
-struct Mark {
-  double along = 0;  // from 0 to 1
-  PlanePoint point{};
-};
-
-// What part of the segment lies under the triangle.
-struct Stretch {
-  Mark begin, end;
-};
-
 bool same_direction(const Segment& a, const Segment& b) {
   return (a.to[0] - a.from[0]) * (b.to[0] - b.from[0]) + (a.to[1] - a.from[1]) * (b.to[1] - b.from[1]) > 0;
 }
 
-// An edge that runs along one of the triangle's lies under it or not, whichever is asked for: of edges that
-// coincide each is then under those before it.
+// What part of the segment lies under the triangle. An edge that runs along one of the triangle's lies under
+// it or not, whichever is asked for: of edges that coincide each is then under those before it.
 std::optional<Stretch> stretch_under(const PlaneTriangle& triangle, const Segment& s, bool when_along) {
   Stretch under{{0, s.from}, {1, s.to}};
   for (std::size_t e = 0; e < 3; ++e) {
@@ -74,127 +64,132 @@ std::optional<Stretch> stretch_under(const PlaneTriangle& triangle, const Segmen
   return under;
 }
 
+// The triangles of a plane, to be asked which others overlap one.
+class Neighbours {
+ public:
+  explicit Neighbours(const std::vector<PlaneTriangle>& triangles)
+      : triangles_(triangles), boxes_(boxes_of(triangles)), tree_(boxes_) {}
+
+  // Calls visit(j) for those that overlap triangle i and meet the box, which may shrink meanwhile, ascending,
+  // until it returns false.
+  template <class Visit>
+  void visit(int i, const PlaneBox& box, const Visit& visit) const {
+    tree_.query(box, [&](int j) {
+      return i == j || !interiors_meet(triangles_[at(i)], triangles_[at(j)]) || visit(j);
+    });
+  }
+  template <class Visit>
+  void visit(int i, const Visit& each) const {
+    visit(i, boxes_[at(i)], each);
+  }
+
+ private:
+  static std::vector<PlaneBox> boxes_of(const std::vector<PlaneTriangle>& triangles) {
+    std::vector<PlaneBox> boxes;
+    boxes.reserve(triangles.size());
+    for (const PlaneTriangle& t : triangles) boxes.push_back(t.box());
+    return boxes;
+  }
+
+  const std::vector<PlaneTriangle>& triangles_;
+  std::vector<PlaneBox> boxes_;
+  BoxTree tree_;
+};
+
+// Both halves of an edge. Where triangles lie on each other that are almost equal, the ends of edges stick
+// out: whatever lies over the middle of an edge need not be looked at for both.
+std::array<Stretch, 2> halves(const Segment& s) {
+  const Mark begin{0, s.from}, end{1, s.to},
+      middle{0.5, {0.5 * (s.from[0] + s.to[0]), 0.5 * (s.from[1] + s.to[1])}};
+  return {Stretch{begin, middle}, Stretch{middle, end}};
+}
+
 // Areas by how many triangles lie there, as integrals over the edges. Along an edge under `depth` others a
 // region of that many triangles becomes one of more.
-struct Areas {
-  double under_several = 0;
-  double surplus = 0;  // counted once for every triangle after the first
-};
-
-struct Change {
-  Mark where;
-  double depth = 0;
-};
-
 class Measure {
  public:
-  explicit Measure(const std::vector<PlaneTriangle>& triangles) : triangles_(triangles) {
+  Measure(const std::vector<PlaneTriangle>& triangles, const Neighbours& neighbours)
+      : triangles_(triangles), neighbours_(neighbours) {
     if (triangles.empty()) return;
     PlaneBox whole = triangles.front().box();
     for (const PlaneTriangle& t : triangles) whole.include(t.box());
     for (std::size_t d = 0; d < 2; ++d) origin_[d] = 0.5 * (whole.low[d] + whole.high[d]);
   }
 
-  // What the edges of a triangle contribute, which lies on the others.
-  Areas contribution(int triangle, const std::vector<int>& others) const {
-    Areas areas;
-    for (std::size_t e = 0; e < 3; ++e) integrate(triangle, edge(triangles_[at(triangle)], e), others, areas);
-    return areas;
+  // What one triangle contributes to areas and to the list of those that overlap.
+  void add(int i, Overlap& overlap) const {
+    const PlaneTriangle& triangle = triangles_[at(i)];
+    std::vector<int> few;
+    neighbours_.visit(i, [&](int j) {
+      few.push_back(j);
+      return few.size() <= many;
+    });
+    if (few.empty() && triangle.copies.size() == 1) {
+      overlap.covered_area += 0.5 * doubled_area(triangle.corner[0], triangle.corner[1], triangle.corner[2]);
+      return;
+    }
+    overlap.triangles.insert(overlap.triangles.end(), triangle.copies.begin(), triangle.copies.end());
+    for (std::size_t e = 0; e < 3; ++e)
+      for (const Stretch& half : halves(edge(triangle, e)))
+        integrate(depth_of(i, edge(triangle, e), half, few), triangle.copy_count(), overlap);
   }
 
  private:
-  std::vector<Change> changes(int triangle, const Segment& s, const std::vector<int>& others) const {
-    std::vector<Change> all;
-    for (const int other : others)
-      if (const auto under = stretch_under(triangles_[at(other)], s, other < triangle)) {
-        all.push_back({under->begin, triangles_[at(other)].copy_count()});
-        all.push_back({under->end, -triangles_[at(other)].copy_count()});
-      }
-    std::sort(all.begin(), all.end(),
-              [](const Change& a, const Change& b) { return a.where.along < b.where.along; });
-    return all;
+  static constexpr std::size_t many = 32;
+
+  // `few` has all that overlap, unless there are many.
+  Depth depth_of(int i, const Segment& s, const Stretch& half, const std::vector<int>& few) const {
+    Depth depth(half);
+    const auto add = [&](int j) {
+      const PlaneTriangle& above = triangles_[at(j)];
+      if (const auto under = stretch_under(above, s, j < i)) depth.add(*under, above.copy_count());
+      return true;
+    };
+    if (few.size() <= many)
+      std::for_each(few.begin(), few.end(), add);
+    else
+      neighbours_.visit(i, depth.open(), add);
+    depth.join();
+    return depth;
   }
 
-  void integrate(int triangle, const Segment& s, const std::vector<int>& others, Areas& areas) const {
-    const double copies = triangles_[at(triangle)].copy_count();
-    double depth = 0;
-    PlanePoint from = s.from;
-    const auto advance = [&](const PlanePoint& to) {
+  void integrate(const Depth& under, double copies, Overlap& overlap) const {
+    under.for_each_part([&](const PlanePoint& from, const PlanePoint& to, double depth) {
       const double area =
           0.5 * ((from[0] - origin_[0]) * (to[1] - from[1]) - (from[1] - origin_[1]) * (to[0] - from[0]));
-      if (depth < 2 && depth + copies >= 2) areas.under_several += area;
-      areas.surplus += (depth < 1 ? copies - 1 : copies) * area;
-      from = to;
-    };
-    for (const Change& change : changes(triangle, s, others)) {
-      advance(change.where.point);
-      depth += change.depth;
-    }
-    advance(s.to);
+      if (depth < 1) overlap.covered_area += area;
+      if (depth < 2 && depth + copies >= 2) overlap.overlapped_area += area;
+    });
   }
 
   const std::vector<PlaneTriangle>& triangles_;
+  const Neighbours& neighbours_;
   PlanePoint origin_{};
 };
 
-// Calls visit(i, others) with those that overlap triangle i, ascending, if there are any or it has copies.
-template <class Visit>
-void for_each_overlapped(const std::vector<PlaneTriangle>& triangles, const Visit& visit) {
-  std::vector<PlaneBox> boxes;
-  boxes.reserve(triangles.size());
-  for (const PlaneTriangle& t : triangles) boxes.push_back(t.box());
-  const BoxTree tree(boxes);
-  for_blocks(static_cast<int>(triangles.size()), block_size, [&](int begin, int end, int block) {
-    std::vector<int> others;
-    for (int i = begin; i < end; ++i) {
-      others.clear();
-      tree.query(boxes[at(i)], [&](int j) {
-        if (j != i && interiors_meet(triangles[at(i)], triangles[at(j)])) others.push_back(j);
-      });
-      if (!others.empty() || triangles[at(i)].copies.size() > 1) visit(i, others, block);
-    }
-  });
-}
-
 std::size_t block_count(const std::vector<PlaneTriangle>& triangles) {
   return triangles.size() / block_size + 1;
-}
-
-double total_area(const std::vector<PlaneTriangle>& triangles) {
-  double twice = 0;
-  for (const PlaneTriangle& t : triangles)
-    twice += t.copy_count() * doubled_area(t.corner[0], t.corner[1], t.corner[2]);
-  return 0.5 * twice;
 }
 
 }  // namespace
 
 Overlap find_overlap(const Points2& uv, const Triangles& triangles) {
   const PlaneTriangles plane(uv, triangles);
-  const Measure measure(plane.triangles);
-  struct Found {
-    Areas areas;
-    std::vector<int> triangles;
-  };
-  std::vector<Found> found(block_count(plane.triangles));
-  for_each_overlapped(plane.triangles, [&](int i, const std::vector<int>& others, int block) {
-    Found& own = found[at(block)];
-    const Areas areas = measure.contribution(i, others);
-    own.areas.under_several += areas.under_several;
-    own.areas.surplus += areas.surplus;
-    const std::vector<int>& copies = plane.triangles[at(i)].copies;
-    own.triangles.insert(own.triangles.end(), copies.begin(), copies.end());
+  const Neighbours neighbours(plane.triangles);
+  const Measure measure(plane.triangles, neighbours);
+  std::vector<Overlap> found(block_count(plane.triangles));
+  for_blocks(static_cast<int>(plane.triangles.size()), block_size, [&](int begin, int end, int block) {
+    for (int i = begin; i < end; ++i) measure.add(i, found[at(block)]);
   });
   Overlap overlap;
-  double surplus = 0;
-  for (const Found& own : found) {
-    overlap.overlapped_area += own.areas.under_several;
-    surplus += own.areas.surplus;
+  for (const Overlap& own : found) {
+    overlap.covered_area += own.covered_area;
+    overlap.overlapped_area += own.overlapped_area;
     overlap.triangles.insert(overlap.triangles.end(), own.triangles.begin(), own.triangles.end());
   }
   std::sort(overlap.triangles.begin(), overlap.triangles.end());
   const double unit_area = plane.unit * plane.unit;
-  overlap.covered_area = (total_area(plane.triangles) - surplus) * unit_area;
+  overlap.covered_area *= unit_area;
   overlap.overlapped_area = std::max(0.0, overlap.overlapped_area) * unit_area;
   return overlap;
 }
@@ -203,15 +198,19 @@ std::vector<std::array<int, 2>> overlapping_pairs(const Points2& uv, const Trian
   const PlaneTriangles plane(uv, triangles);
   using Pairs = std::vector<std::array<int, 2>>;
   std::vector<Pairs> found(block_count(plane.triangles));
-  for_each_overlapped(plane.triangles, [&](int i, const std::vector<int>& others, int block) {
-    const std::vector<int>& copies = plane.triangles[at(i)].copies;
-    const auto add = [&](int a, int b) {
-      if (a < b) found[at(block)].push_back({a, b});
+  const Neighbours neighbours(plane.triangles);
+  for_blocks(static_cast<int>(plane.triangles.size()), block_size, [&](int begin, int end, int block) {
+    const auto add = [&](int i, int j) {
+      for (const int a : plane.triangles[at(i)].copies)
+        for (const int b : plane.triangles[at(j)].copies)
+          if (a < b) found[at(block)].push_back({a, b});
     };
-    for (const int a : copies) {
-      for (const int b : copies) add(a, b);
-      for (const int other : others)
-        for (const int b : plane.triangles[at(other)].copies) add(a, b);
+    for (int i = begin; i < end; ++i) {
+      add(i, i);
+      neighbours.visit(i, [&](int j) {
+        add(i, j);
+        return true;
+      });
     }
   });
   Pairs pairs;

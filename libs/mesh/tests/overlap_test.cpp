@@ -181,7 +181,7 @@ TEST_CASE("overlap: areas of rectangles at random, against a grid that has all t
   for (int round = 0; round < 60; ++round) {
     Layout layout;
     std::vector<std::array<int, 4>> rectangles;
-    for (int i = 0; i < 3 + round / 3; ++i) {
+    for (int i = 0; i < 3 + round; ++i) {
       const int x = place(generator), y = place(generator), w = size(generator), h = size(generator);
       rectangles.push_back({x, y, w, h});
       layout.add_rectangle(x, y, w, h, coin(generator) != 0, coin(generator) != 0);
@@ -202,6 +202,43 @@ TEST_CASE("overlap: areas of rectangles at random, against a grid that has all t
     const double unit = std::pow(10.0, 2 * (round - 30));
     CHECK(other.overlap().covered_area == Approx(covered * unit).epsilon(1e-12));
     CHECK(other.overlap().overlapped_area == Approx(several * unit).epsilon(1e-11));
+  }
+}
+
+TEST_CASE(
+    "overlap: areas of hundreds of tiles that are almost equal, against a grid that has all their sides") {
+  for (const double noise : {1e-9, 1e-3, 0.1}) {
+    std::mt19937 generator(11);
+    std::uniform_real_distribution<double> shift(-noise, noise);
+    constexpr std::size_t tiles = 300;
+    Layout layout;
+    std::array<std::vector<double>, 2> low, high, sides;
+    for (std::size_t i = 0; i < tiles; ++i) {
+      for (std::size_t d = 0; d < 2; ++d) {
+        low[d].push_back(shift(generator));
+        high[d].push_back(1 + shift(generator));
+        sides[d].push_back(low[d].back());
+        sides[d].push_back(high[d].back());
+      }
+      layout.add_rectangle(low[0][i], low[1][i], high[0][i] - low[0][i], high[1][i] - low[1][i], i % 2 == 0,
+                           i % 3 == 0);
+    }
+    double covered = 0, several = 0;
+    for (auto& axis : sides) std::sort(axis.begin(), axis.end());
+    for (std::size_t x = 0; x + 1 < 2 * tiles; ++x)
+      for (std::size_t y = 0; y + 1 < 2 * tiles; ++y) {
+        const double area = (sides[0][x + 1] - sides[0][x]) * (sides[1][y + 1] - sides[1][y]);
+        int depth = 0;
+        for (std::size_t i = 0; i < tiles && depth < 2; ++i)
+          depth += low[0][i] <= sides[0][x] && sides[0][x + 1] <= high[0][i] && low[1][i] <= sides[1][y] &&
+                   sides[1][y + 1] <= high[1][i];
+        covered += depth > 0 ? area : 0;
+        several += depth > 1 ? area : 0;
+      }
+    const Overlap overlap = layout.overlap();
+    CHECK(overlap.triangles.size() == 2 * tiles);
+    CHECK(overlap.covered_area == Approx(covered).epsilon(1e-12));
+    CHECK(overlap.overlapped_area == Approx(several).epsilon(1e-12));
   }
 }
 

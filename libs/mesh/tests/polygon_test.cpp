@@ -78,6 +78,25 @@ TEST_CASE("polygons: concave ones are cut along diagonals inside") {
   cut_right(star);
 }
 
+TEST_CASE("polygons: thousands of corners: disks, stars, saws, combs and spirals") {
+  constexpr int count = 20000;  // of a disk's corners each sticks out by 5e-8 of its size
+  std::mt19937 generator(4);
+  std::uniform_real_distribution<double> radius(0.3, 1);
+  std::vector<std::array<double, 2>> disk, star, saw, comb, spiral;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * M_PI * i / count, own = radius(generator);
+    disk.push_back({std::cos(angle), std::sin(angle)});
+    star.push_back({(i % 2 == 0 ? 1 : 0.3) * std::cos(angle), (i % 2 == 0 ? 1 : 0.3) * std::sin(angle)});
+    saw.push_back({own * std::cos(angle), own * std::sin(angle)});
+    const bool back = i >= count / 2;
+    comb.push_back(back ? std::array<double, 2>{0.5 * (count - 1 - i), 10}
+                        : std::array<double, 2>{0.5 * i, i % 2 == 0 ? -5.0 : 9.0});
+    const double turn = 30.0 * (back ? count - 1 - i : i) / count, out = 1 + turn + (back ? 0.5 : 0);
+    spiral.push_back({out * std::cos(turn), out * std::sin(turn)});
+  }
+  for (const auto* points : {&disk, &star, &saw, &comb, &spiral}) cut_right(*points);
+}
+
 TEST_CASE("polygons: the better diagonal of a quad, the first of equally good ones") {
   CHECK(parse_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n", "m.obj").triangles ==
         rows<Triangles>({0, 1, 2, 0, 2, 3}));

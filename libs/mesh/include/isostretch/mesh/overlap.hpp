@@ -22,8 +22,9 @@ struct Overlap {
 /// Two triangles overlap where their interiors meet, which is decided exactly for the coordinates given.
 /// Triangles that lie beside each other along an edge or at a vertex do not; a triangle that is folded or
 /// turned over onto its neighbour does; a triangle without area overlaps nothing. Orientation has no say in
-/// areas. Areas carry rounding errors only. Of n triangles that lie well apart it takes n log n operations,
-/// and more as many lie in one place. Results are the same for any number of threads.
+/// areas. Areas carry rounding errors only. Of n triangles it takes n log n operations, and more where many
+/// cross in one place; those that many others hide cost little. Results are the same for any number of
+/// threads.
 ///
 /// Throws Error when an index is out of range or a coordinate is not finite.
 Overlap find_overlap(const Points2& uv, const Triangles& triangles);
