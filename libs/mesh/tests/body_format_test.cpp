@@ -107,6 +107,59 @@ TEST_CASE("MSH 4: groups come from the entities, in text and binary") {
   }
 }
 
+TEST_CASE("MSH 4: groups of a mesh that is partitioned come from the parts, in text and binary") {
+  const auto check = [](const ElementMesh& mesh) {
+    REQUIRE(mesh.groups.size() == 2);
+    CHECK(mesh.groups[0].name == "left");
+    CHECK(mesh.groups[0].elements == Indices{0, 1});
+    CHECK(mesh.groups[1].name == "right");
+    CHECK(mesh.groups[1].elements == Indices{1});
+  };
+  // Volume 1 is cut into parts 2 and 3; the latter lies on two partitions, and is in two groups.
+  const std::string names = "$PhysicalNames\n2\n3 5 \"left\"\n3 6 \"right\"\n$EndPhysicalNames\n";
+  for (const bool newer : {false, true}) {
+    std::string text = "$MeshFormat\n" + std::string(newer ? "4.1" : "4") + " 0 8\n$EndMeshFormat\n" + names +
+                       "$Entities\n0 0 0 1\n1 0 0 0 1 1 1 1 5 0\n$EndEntities\n$PartitionedEntities\n2\n1\n"
+                       "9 2\n1 0 0 2\n" +
+                       (newer ? "4 0 1 1 1 0 0 0 0\n" : "4 0 1 1 1 0 0 0 0 0 0 0\n") +
+                       "2 3 1 1 1 0 0 0 1 1 1 1 5 2 7 -8\n3 3 1 2 1 2 0 0 0 1 1 1 2 5 6 0\n"
+                       "$EndPartitionedEntities\n";
+    text += newer ? "$Nodes\n1 5 1 5\n3 2 0 5\n1\n2\n3\n4\n5\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n$EndNodes\n"
+                    "$Elements\n2 2 1 2\n3 2 4 1\n1 1 2 3 4\n3 3 4 1\n2 2 3 4 5\n$EndElements\n"
+                  : "$Nodes\n1 5\n2 3 0 5\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 1 1 1\n$EndNodes\n"
+                    "$Elements\n2 2\n2 3 4 1\n1 1 2 3 4\n3 3 4 1\n2 2 3 4 5\n$EndElements\n";
+    check(parse_msh_elements(text, "m.msh"));
+  }
+  Contents file(std::endian::little);
+  file.text("$MeshFormat\n4.1 1 8\n").bytes(1).text("\n$EndMeshFormat\n" + names + "$PartitionedEntities\n");
+  for (const std::int64_t number : {2, 1}) file.bytes(number);
+  file.bytes(9).bytes(2);
+  for (const std::int64_t number : {0, 0, 0, 2}) file.bytes(number);
+  const auto part = [&](int tag, const std::vector<int>& partitions, const std::vector<int>& groups) {
+    file.bytes(tag).bytes(3).bytes(1).bytes(std::int64_t{static_cast<int>(partitions.size())});
+    for (const int p : partitions) file.bytes(p);
+    for (int i = 0; i < 6; ++i) file.bytes(0.5);
+    file.bytes(std::int64_t{static_cast<int>(groups.size())});
+    for (const int g : groups) file.bytes(g);
+    file.bytes(std::int64_t{1}).bytes(7);
+  };
+  part(2, {1}, {5});
+  part(3, {1, 2}, {5, 6});
+  file.text("\n$EndPartitionedEntities\n$Nodes\n");
+  for (const std::int64_t number : {1, 5, 1, 5}) file.bytes(number);
+  file.bytes(3).bytes(2).bytes(0).bytes(std::int64_t{5});
+  for (const std::int64_t tag : {1, 2, 3, 4, 5}) file.bytes(tag);
+  for (const double x : {0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1., 1., 1., 1.}) file.bytes(x);
+  file.text("\n$EndNodes\n$Elements\n");
+  for (const std::int64_t number : {2, 2, 1, 2}) file.bytes(number);
+  file.bytes(3).bytes(2).bytes(4).bytes(std::int64_t{1});
+  for (const std::int64_t number : {1, 1, 2, 3, 4}) file.bytes(number);
+  file.bytes(3).bytes(3).bytes(4).bytes(std::int64_t{1});
+  for (const std::int64_t number : {2, 2, 3, 4, 5}) file.bytes(number);
+  file.text("\n$EndElements\n");
+  check(parse_msh_elements(file.str(), "m.msh"));
+}
+
 TEST_CASE("groups of faces, lines and points have their vertices") {
   const std::string names = "$PhysicalNames\n3\n0 9 \"tip\"\n2 1 \"left\"\n3 1 \"bone\"\n$EndPhysicalNames\n";
   const std::string text = msh2 + names + five_nodes +

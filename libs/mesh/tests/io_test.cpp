@@ -200,7 +200,23 @@ TEST_CASE("OFF: plain, with comments, colours and counts on the first line") {
   }
 }
 
+TEST_CASE("OFF: texture coordinates are the last two numbers of a vertex") {
+  for (const char* text : {"STOFF\n3 1 0\n0 0 0 0.5 0\n1 0 0 1 0\n0 1 0 0 2\n3 0 1 2\n",
+                           "STCNOFF\n3 1 0\n0 0 0 0 0 1 255 0 0 0.5 0\n1 0 0 0 0 1 1 1 1 1 1 0 # c\n"
+                           "0 1 0 0 0 1 9 9 9 9 0 2\n3 0 1 2 0 0 0\n"}) {
+    const SurfaceMesh mesh = parse_off(text, "m.off");
+    CHECK(mesh.uv == rows<Points2>({0.5, 0, 1, 0, 0, 2}));
+    CHECK(mesh.uv_triangles == mesh.triangles);
+    ReadOptions without;
+    without.read_uv = false;
+    CHECK(parse_off(text, "m.off", without).uv.rows() == 0);
+  }
+}
+
 TEST_CASE("OFF: faults are named by line") {
+  off_refused("STOFF\n3 1 0\n0 0 0 1\n1 0 0 0 0\n0 1 0 0 0\n3 0 1 2\n",
+              "m.off:3: vertex without texture coordinates, which the first line promises");
+  off_refused("STOFF\n3 1 0\n0 0 0 1 x\n1 0 0 0 0\n0 1 0 0 0\n3 0 1 2\n", "m.off:3: texture coordinate");
   const std::string head = "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
   off_refused("", "m.off:1: no vertices and no faces");
   off_refused("PLY\n", "m.off:1: not an OFF file");

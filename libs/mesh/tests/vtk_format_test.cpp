@@ -45,6 +45,36 @@ TEST_CASE("VTK: numbers of other types, in binary") {
   CHECK(mesh.triangles == rows<Triangles>({0, 2, 1}));
 }
 
+TEST_CASE("VTK: texture coordinates of points, in text and binary, whatever stands before them") {
+  const std::string geometry = "DATASET POLYDATA\n" + points + "POLYGONS 1 5\n4 0 1 2 3\nPOINT_DATA 4\n";
+  const std::string others =
+      "SCALARS s float\nLOOKUP_TABLE default\n0 1 2 3\nNORMALS n float\n0 0 1 0 0 1 0 0 1 0 0 1\n";
+  const Points2 expected = rows<Points2>({0, 0, 0.5, 0, 0.5, 1, 0, 1});
+  for (const std::string& text :
+       {geometry + others + "TEXTURE_COORDINATES uv 2 float\n0 0 0.5 0 0.5 1 0 1\n",
+        geometry + "TEXTURE_COORDINATES uv 3 double\n0 0 9 0.5 0 9 0.5 1 9 0 1 9\n" + others}) {
+    const SurfaceMesh mesh = parse_vtk_surface(head + text, "m.vtk");
+    CHECK(mesh.uv == expected);
+    CHECK(mesh.uv_triangles == rows<Triangles>({0, 1, 2, 0, 2, 3}));
+    ReadOptions without;
+    without.read_uv = false;
+    CHECK(parse_vtk_surface(head + text, "m.vtk", without).uv.rows() == 0);
+  }
+  Contents file(std::endian::big);
+  file.text(vtk_header(true) + "DATASET POLYDATA\nPOINTS 3 float\n");
+  for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) file.bytes(number);
+  file.text("\nPOLYGONS 1 4\n").bytes(3).bytes(0).bytes(1).bytes(2);
+  file.text("\nPOINT_DATA 3\nTEXTURE_COORDINATES uv 2 float\n");
+  for (const float number : {0.f, 0.f, 2.f, 0.f, 0.f, 3.f}) file.bytes(number);
+  CHECK(parse_vtk_surface(file.str(), "m.vtk").uv == rows<Points2>({0, 0, 2, 0, 0, 3}));
+  refused(head + geometry + "TEXTURE_COORDINATES uv 1 float\n0 0 0 0\n",
+          "m.vtk:11: texture coordinates of 1 numbers a point");
+  refused(head + geometry + "TEXTURE_COORDINATES uv 2 float\n0 0 0 0 0\n",
+          "m.vtk:11: number of texture coordinates 4 is more than the file can hold");
+  refused(head + geometry + "TEXTURE_COORDINATES uv 2 float\n0 0 nan 0 0 1 1 1\n",
+          "m.vtk:12: texture coordinate 'nan' is not finite");
+}
+
 TEST_CASE("VTK: faults are named by line, in binary data by byte") {
   const std::string poly = head + "DATASET POLYDATA\n";
   refused("", "m.vtk:1: not a VTK file: it does not begin with # vtk DataFile Version ");

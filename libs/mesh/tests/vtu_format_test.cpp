@@ -53,6 +53,33 @@ TEST_CASE("VTU: pieces are joined") {
   CHECK(mesh.triangles == rows<Triangles>({0, 1, 2, 3, 4, 5}));
 }
 
+TEST_CASE("VTU: the texture coordinates that point data name") {
+  const auto piece = [&](const std::string& point_data) {
+    return "<Piece NumberOfPoints='3' NumberOfCells='1'>" + point_data + points + "<Cells>" + connectivity +
+           offsets + types + "</Cells></Piece>";
+  };
+  const auto file = [&](const std::string& pieces) {
+    return file_tag + "<UnstructuredGrid>" + pieces + "</UnstructuredGrid></VTKFile>";
+  };
+  const std::string other = array("type='Float64' Name='other' NumberOfComponents='2'", "7 7 7 7 7 7");
+  const std::string two = array("type='Float32' Name='uv' NumberOfComponents='2'", "0 0 0.5 0 0 1");
+  const std::string three = array("type='Float64' Name='uv' NumberOfComponents='3'", "0 0 9 0.5 0 9 0 1 9");
+  const std::string named = "<PointData TCoords='uv'>", end_of_data = "</PointData>";
+  const SurfaceMesh mesh = parse_vtu_surface(
+      file(piece(named + other + two + end_of_data) + piece(named + three + end_of_data)), "m.vtu");
+  CHECK(mesh.uv == rows<Points2>({0, 0, 0.5, 0, 0, 1, 0, 0, 0.5, 0, 0, 1}));
+  CHECK(mesh.uv_triangles == mesh.triangles);
+  CHECK(parse_vtu_surface(file(piece("<PointData>" + two + end_of_data)), "m.vtu").uv.rows() == 0);
+  for (const std::string& pieces :
+       {piece("") + piece(named + two + end_of_data), piece(named + two + end_of_data) + piece("")})
+    CHECK_THROWS_WITH_AS(parse_vtu_surface(file(pieces), "m.vtu"),
+                         doctest::Contains("texture coordinates in some pieces only"), Error);
+  CHECK_THROWS_WITH_AS(
+      parse_vtu_surface(file(piece(named + array("type='Float32' Name='uv'", "0 1 2") + end_of_data)),
+                        "m.vtu"),
+      doctest::Contains("texture coordinates need NumberOfComponents"), Error);
+}
+
 TEST_CASE("VTU: base64 of both lengths of header, in one stream or in parts, over several lines") {
   Contents data, narrow, wide;
   for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) data.bytes(number);

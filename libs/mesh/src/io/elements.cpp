@@ -133,7 +133,8 @@ std::string ElementList::missing_faces() const {
                     : "no triangles";
 }
 
-SurfaceMesh ElementList::surface(const std::vector<double>& vertices, const Place& end) {
+SurfaceMesh ElementList::surface(const std::vector<double>& vertices, const std::vector<double>& uv,
+                                 const Place& end) {
   if (faces_.empty()) end.fail(missing_faces());
   for (const auto& [kind, number] : counts_)
     if (kind.dimension() == 2 && !is_face(kind))
@@ -147,7 +148,7 @@ SurfaceMesh ElementList::surface(const std::vector<double>& vertices, const Plac
   const std::vector<char> keep = face_labels_.drop_copies(compare, copies_for_groups_, fault);
   if (!fault.empty()) end.fail(fault);
   if (std::find(keep.begin(), keep.end(), 0) != keep.end()) faces_.keep(keep);
-  return faces_.surface(vertices, {}, end);
+  return with_uv(faces_.surface(vertices, {}, end), uv);
 }
 
 void ElementList::drop_copies(List& list, int nodes_each, const Place& end) const {

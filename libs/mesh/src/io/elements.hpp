@@ -48,9 +48,10 @@ class ElementList {
   // An element in several groups may be there several times, once for each of them, as in MSH 2.
   void merge_copies_of_groups() { copies_for_groups_ = true; }
 
-  // What the whole file makes, of vertices x, y, z each. They throw Error at the end of the file when it
-  // holds nothing of the kind wanted, or something beside it that must not be dropped.
-  SurfaceMesh surface(const std::vector<double>& vertices, const Place& end);
+  // What the whole file makes, of vertices x, y, z and texture coordinates u, v each. They throw Error at the
+  // end of the file when it holds nothing of the kind wanted, or something beside it that must not be
+  // dropped.
+  SurfaceMesh surface(const std::vector<double>& vertices, const std::vector<double>& uv, const Place& end);
   TetMesh tets(const std::vector<double>& vertices, const Place& end);
   ElementMesh elements(const std::vector<double>& vertices, const Place& end);
 
@@ -89,10 +90,11 @@ struct MixedMesh {
   std::vector<double> vertices;
   ElementList elements;
   Place end;
+  std::vector<double> uv = {};  // u and v of every vertex, or none
 };
 
 inline SurfaceMesh surface_of(MixedMesh mesh) {
-  return mesh.elements.surface(mesh.vertices, mesh.end);
+  return mesh.elements.surface(mesh.vertices, mesh.uv, mesh.end);
 }
 inline TetMesh tets_of(MixedMesh mesh) {
   return mesh.elements.tets(mesh.vertices, mesh.end);

@@ -18,6 +18,12 @@ Rows<Scalar, Columns> to_rows(const std::vector<Scalar>& values) {
                                                  static_cast<Eigen::Index>(values.size()) / Columns, Columns);
 }
 
+// Gives every vertex a pair of texture coordinates, if there are any.
+inline SurfaceMesh with_uv(SurfaceMesh mesh, const std::vector<double>& uv) {
+  if (!uv.empty()) mesh.uv = to_rows<double, 2>(uv), mesh.uv_triangles = mesh.triangles;
+  return mesh;
+}
+
 // Where the corners of triangles come from: their face, and their places in its list.
 struct CornerMap {
   std::vector<int> face;    // of every triangle, as they were added

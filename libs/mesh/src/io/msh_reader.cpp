@@ -75,6 +75,8 @@ class MshReader {
       physical_names();
     else if (keyword == "$Entities" && version_ != MshVersion::v2_2)
       entities();
+    else if (keyword == "$PartitionedEntities" && version_ != MshVersion::v2_2)
+      partitioned_entities();
     else
       skip_section(keyword);
   }
@@ -103,23 +105,45 @@ class MshReader {
   // In which physical groups points, curves, surfaces and volumes are.
   void entities() {
     source_.line();
-    std::array<int, 4> counts{};
-    for (int& count : counts) count = source_.count(size_type, "number of entities", 4);
-    for (std::size_t dimension = 0; dimension < counts.size(); ++dimension)
-      for (int i = 0; i < counts[dimension]; ++i) one_entity(static_cast<int>(dimension));
+    all_entities(false);
     expect("$EndEntities");
   }
 
-  void one_entity(int dimension) {
+  // Parts of the others, of which elements are once the mesh is partitioned; with groups of their own.
+  void partitioned_entities() {
+    source_.line();
+    source_.integer(size_type, "number of partitions");
+    for (int i = source_.count(size_type, "number of ghost entities", 4); i > 0; --i)
+      skip_integers(2, "ghost entity");
+    all_entities(true);
+    expect("$EndPartitionedEntities");
+  }
+
+  void all_entities(bool partitioned) {
+    std::array<int, 4> counts{};
+    for (int& count : counts) count = source_.count(size_type, "number of entities", 4);
+    for (std::size_t dimension = 0; dimension < counts.size(); ++dimension)
+      for (int i = 0; i < counts[dimension]; ++i) one_entity(static_cast<int>(dimension), partitioned);
+  }
+
+  void one_entity(int dimension, bool partitioned) {
     const std::int64_t tag = source_.integer(Scalar::int32, "entity");
+    if (partitioned) {
+      skip_integers(2, "entity that this one is part of");
+      skip_integers(source_.count(size_type, "number of partitions", sizeof(std::int32_t)), "partition");
+    }
     const int place = dimension == 0 && version_ == MshVersion::v4_1 ? 3 : 6;  // a point, or a box
     for (int i = 0; i < place; ++i) skip_number();
     auto& groups = groups_of_entity_[{dimension, tag}];
     for (int i = source_.count(size_type, "number of physical groups", sizeof(std::int32_t)); i > 0; --i)
       groups.push_back(std::abs(source_.integer(Scalar::int32, "physical group")));  // a sign is a direction
     if (dimension == 0) return;
-    for (int i = source_.count(size_type, "number of bounding entities", sizeof(std::int32_t)); i > 0; --i)
-      source_.integer(Scalar::int32, "bounding entity");
+    skip_integers(source_.count(size_type, "number of bounding entities", sizeof(std::int32_t)),
+                  "bounding entity");
+  }
+
+  void skip_integers(int count, const char* what) {
+    for (; count > 0; --count) source_.integer(Scalar::int32, what);
   }
 
   // Of a box that is empty, whose numbers need not be finite.

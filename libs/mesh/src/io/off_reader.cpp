@@ -4,6 +4,7 @@
 
 #include <isostretch/mesh/io.hpp>
 
+#include <array>
 #include <vector>
 
 namespace isostretch::mesh {
@@ -12,7 +13,7 @@ namespace {
 class OffReader {
  public:
   OffReader(std::string_view text, const std::string& name, const ReadOptions& options)
-      : source_(text, name), faces_(options) {
+      : source_(text, name), faces_(options), read_uv_(options.read_uv) {
     source_.set_comments(true);
     source_.set_by_line(true);
   }
@@ -23,7 +24,7 @@ class OffReader {
     std::vector<double> vertices;
     for (int i = 0; i < vertex_count_; ++i) vertex(vertices, i);
     for (int i = 0; i < face_count_; ++i) face(i);
-    return faces_.surface(vertices, {}, source_.place());
+    return with_uv(faces_.surface(vertices, {}, source_.place()), uv_);
   }
 
  private:
@@ -37,6 +38,7 @@ class OffReader {
     const bool known = name != std::string_view::npos && first.find_first_not_of("STCN") == name &&
                        (end == first.size() || (first[end] >= '0' && first[end] <= '9'));
     if (!known) source_.fail("not an OFF file: it does not begin with OFF");
+    has_uv_ = first.substr(0, name).find("ST") != std::string_view::npos;
     source_.seek(source_.position() - (first.size() - end));
     if (source_.empty()) {
       const Place place = source_.place();
@@ -53,6 +55,16 @@ class OffReader {
   void vertex(std::vector<double>& vertices, int i) {
     next_line(i, vertex_count_, "vertices");
     for (const char* what : axis_labels) vertices.push_back(source_.text_coordinate(what));
+    if (has_uv_ && read_uv_) texture_coordinates();
+  }
+
+  // The last two numbers of the line, behind a normal and a colour of three or four.
+  void texture_coordinates() {
+    std::array<double, 2> last{};
+    int count = 0;
+    for (; !source_.empty(); ++count) last = {last[1], source_.text_coordinate("texture coordinate")};
+    if (count < 2) source_.fail("vertex without texture coordinates, which the first line promises");
+    uv_.insert(uv_.end(), last.begin(), last.end());
   }
 
   void face(int i) {
@@ -78,6 +90,9 @@ class OffReader {
 
   Source source_;
   FaceList faces_;
+  bool read_uv_;
+  bool has_uv_ = false;
+  std::vector<double> uv_;
   int vertex_count_ = 0;
   int face_count_ = 0;
   std::vector<int> polygon_;

@@ -16,7 +16,9 @@ namespace {
 class VtkReader {
  public:
   VtkReader(std::string_view contents, const std::string& name, Wanted wanted, const ReadOptions& options)
-      : source_(contents, name), elements_(wanted, options) {}
+      : source_(contents, name),
+        elements_(wanted, options),
+        wants_uv_(wanted == Wanted::surface && options.read_uv) {}
 
   MixedMesh read() {
     header();
@@ -26,7 +28,9 @@ class VtkReader {
       source_.fail(std::to_string(types_.size()) + " cell types for " + std::to_string(grid_.count()) +
                    " cells");
     add(grid_, types_, source_.place(grid_start_));
-    return {std::move(vertices_), std::move(elements_), source_.place()};
+    const Place end = source_.place();
+    std::vector<double> texture = wants_uv_ ? uv() : std::vector<double>();
+    return {std::move(vertices_), std::move(elements_), end, std::move(texture)};
   }
 
  private:
@@ -79,6 +83,32 @@ class VtkReader {
     else
       source_.fail("unknown keyword " + quoted(keyword));
     return true;
+  }
+
+  // Of what else is said of points there are many kinds, which need not be known: the line is looked for.
+  std::vector<double> uv() {
+    const std::string_view contents = source_.contents();
+    const std::size_t found = contents.find("\nTEXTURE_COORDINATES ", source_.position());
+    if (found == std::string_view::npos) return {};
+    source_.seek(found);
+    source_.word();
+    source_.word();  // their name
+    const int each = source_.text_count("number of texture coordinates a point", 1);
+    const Place place = source_.place();
+    if (each < 2 || each > 3)
+      place.fail("texture coordinates of " + std::to_string(each) + " numbers a point");
+    const Scalar number = type();
+    source_.line();
+    const std::size_t points = vertices_.size() / 3;
+    const int count =
+        source_.checked_count(static_cast<std::int64_t>(points), "number of texture coordinates",
+                              static_cast<std::size_t>(each) * bytes_of(number), place);
+    std::vector<double> uv;
+    for (std::int64_t i = 0; i < std::int64_t{each} * count; ++i) {
+      const double value = source_.coordinate(number, "texture coordinate");
+      if (i % each < 2) uv.push_back(value);
+    }
+    return uv;
   }
 
   static std::optional<Scalar> find_type(std::string_view name) {
@@ -276,6 +306,7 @@ class VtkReader {
   VtkCells grid_;
   std::vector<std::int64_t> types_;
   std::size_t grid_start_ = 0;
+  bool wants_uv_;
 };
 
 }  // namespace

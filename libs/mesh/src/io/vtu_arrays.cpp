@@ -176,13 +176,21 @@ void VtuArrays::require_end(Source& source) const {
   if (!source.empty()) source.fail("more numbers in the DataArray than the file has items");
 }
 
-std::vector<double> VtuArrays::points(const VtuArray& array, std::int64_t count) {
+int component_count(const VtuArray& array) {
+  const std::string_view text = trimmed(array.components);
+  if (text.empty()) return 1;
+  return text.size() == 1 && text[0] >= '1' && text[0] <= '3' ? text[0] - '0' : 0;
+}
+
+std::vector<double> VtuArrays::tuples(const VtuArray& array, std::int64_t count, const char* what) {
   const Scalar type = type_of(array);
-  if (trimmed(array.components) != "3") place(array.start).fail("points without NumberOfComponents=\"3\"");
-  const std::size_t numbers = 3 * static_cast<std::size_t>(count);
+  const auto each = static_cast<std::size_t>(component_count(array));
+  if (each == 0)
+    place(array.start).fail(std::string(what) + "s of " + quoted(array.components) + " components");
+  const std::size_t numbers = each * static_cast<std::size_t>(count);
   if (array.format == "ascii") {
     Source source = text_source(array);
-    source.checked_count(count, "number of points", 6, place(array.start));
+    source.checked_count(count, "number of points", 2 * each, place(array.start));
     std::vector<double> values = source.coordinates(type, numbers);
     require_end(source);
     return values;
@@ -193,7 +201,8 @@ std::vector<double> VtuArrays::points(const VtuArray& array, std::int64_t count)
   for (std::size_t i = 0; i < numbers; ++i) {
     values[i] = load_real(bytes.data() + i * size_of(type), type, swap());
     if (!std::isfinite(values[i]))
-      data_place(array).fail("point " + std::to_string(i / 3) + ": " + axis_labels[i % 3] + " is not finite");
+      data_place(array).fail(std::string(what) + " " + std::to_string(i / each) + ": " +
+                             axis_labels[i % each] + " is not finite");
   }
   return values;
 }

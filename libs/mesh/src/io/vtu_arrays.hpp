@@ -31,6 +31,8 @@ struct VtuArray {
 };
 
 VtuArray describe_array(const XmlTag& tag);
+// Numbers a tuple, or 0 where they are not one to three.
+int component_count(const VtuArray& array);
 
 // Reads arrays of one file. Failures name the line of the tag, or the byte of raw data.
 class VtuArrays {
@@ -44,8 +46,8 @@ class VtuArrays {
     appended_base64_ = base64;
   }
 
-  // Three coordinates each.
-  std::vector<double> points(const VtuArray& array, std::int64_t count);
+  // Finite numbers, as many a tuple as the array says, one to three; `what` names a tuple.
+  std::vector<double> tuples(const VtuArray& array, std::int64_t count, const char* what);
   std::vector<std::int64_t> integers(const VtuArray& array, std::int64_t count, const char* what);
 
   Place place(std::size_t position) const { return {contents_, name_, position, false}; }

@@ -16,14 +16,18 @@ struct Piece {
   std::size_t start = 0;  // of its tag
   std::int64_t point_count = 0;
   std::int64_t cell_count = 0;
-  VtuArray points, connectivity, offsets, types;
+  VtuArray points, connectivity, offsets, types, uv;
 };
 
 // First the tags, which say where the arrays are; then the arrays of one piece after the other.
 class VtuReader {
  public:
   VtuReader(std::string_view contents, const std::string& name, Wanted wanted, const ReadOptions& options)
-      : contents_(contents), xml_(contents, name), arrays_(contents, name), elements_(wanted, options) {}
+      : contents_(contents),
+        xml_(contents, name),
+        arrays_(contents, name),
+        elements_(wanted, options),
+        wants_uv_(wanted == Wanted::surface && options.read_uv) {}
 
   MixedMesh read() {
     XmlTag tag;
@@ -31,7 +35,7 @@ class VtuReader {
       if (tag.kind != XmlTag::Kind::close) enter(tag);
     if (!file_seen_) fail(0, "not a VTK XML file: it has no VTKFile element");
     for (const Piece& piece : pieces_) add(piece);
-    return {std::move(vertices_), std::move(elements_), xml_.place(contents_.size())};
+    return {std::move(vertices_), std::move(elements_), xml_.place(contents_.size()), std::move(uv_)};
   }
 
  private:
@@ -45,6 +49,8 @@ class VtuReader {
       file(tag);
     else if (tag.name == "Piece")
       piece(tag);
+    else if (tag.name == "PointData")
+      uv_name_ = tag.attribute("TCoords");
     else if (tag.name == "DataArray")
       array(tag);
     else if (tag.name == "AppendedData")
@@ -86,7 +92,7 @@ class VtuReader {
     return value;
   }
 
-  // Data of points and cells have arrays too, of no interest here.
+  // Data of points and cells have arrays too, of no interest here but for texture coordinates.
   void array(const XmlTag& tag) {
     const auto& open = xml_.open();
     const std::size_t depth = open.size() - (tag.kind == XmlTag::Kind::open ? 1 : 0);
@@ -100,6 +106,8 @@ class VtuReader {
       keep(tag, &Piece::offsets);
     else if (parent == "Cells" && name == "types")
       keep(tag, &Piece::types);
+    else if (parent == "PointData" && wants_uv_ && !uv_name_.empty() && name == uv_name_)
+      keep(tag, &Piece::uv);
   }
 
   void keep(const XmlTag& tag, VtuArray Piece::*array) {
@@ -125,10 +133,24 @@ class VtuReader {
     if (before + piece.point_count > largest_count) fail(piece.start, "too many points");
     if (piece.point_count > 0) {
       require(piece, piece.points, "Points");
-      const std::vector<double> points = arrays_.points(piece.points, piece.point_count);
+      if (component_count(piece.points) != 3)
+        fail(piece.points.start, "points without NumberOfComponents=\"3\"");
+      const std::vector<double> points = arrays_.tuples(piece.points, piece.point_count, "point");
       vertices_.insert(vertices_.end(), points.begin(), points.end());
+      add_uv(piece, before);
     }
     if (piece.cell_count > 0) add_cells_of(piece, static_cast<int>(before));
+  }
+
+  // Two or three numbers a point, of which the third says nothing of a surface.
+  void add_uv(const Piece& piece, std::int64_t before) {
+    if (piece.uv.present ? static_cast<std::int64_t>(uv_.size()) != 2 * before : !uv_.empty())
+      fail(piece.start, "texture coordinates in some pieces only");
+    if (!piece.uv.present) return;
+    const auto each = static_cast<std::size_t>(component_count(piece.uv));
+    if (each < 2) fail(piece.uv.start, "texture coordinates need NumberOfComponents=\"2\" or \"3\"");
+    const std::vector<double> values = arrays_.tuples(piece.uv, piece.point_count, "texture coordinate");
+    for (std::size_t i = 0; i < values.size(); i += each) uv_.insert(uv_.end(), {values[i], values[i + 1]});
   }
 
   void add_cells_of(const Piece& piece, int first_point) {
@@ -162,7 +184,9 @@ class VtuReader {
   bool file_seen_ = false;
   bool appended_seen_ = false;
   std::vector<Piece> pieces_;
-  std::vector<double> vertices_;
+  bool wants_uv_;
+  std::string_view uv_name_;  // of the array in the point data that is open
+  std::vector<double> vertices_, uv_;
 };
 
 }  // namespace

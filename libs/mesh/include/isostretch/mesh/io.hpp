@@ -15,7 +15,8 @@ struct ReadOptions {
   bool leave_out_faces = false;
   /// Ends the message about such a face: how the user has it left out.
   std::string face_advice = {};
-  // OBJ, PLY: take texture coordinates. Either every face has them or none; false ignores them.
+  // OBJ, PLY, OFF, VTK, VTU: take texture coordinates. Either every face has them or none; false ignores
+  // them.
   bool read_uv = true;
   // STL, which knows corners only: equal corners become one vertex. Otherwise every triangle has three of its
   // own.
