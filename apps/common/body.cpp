@@ -4,6 +4,8 @@
 #include "common/exit_code.hpp"
 #include "common/figures/edges.hpp"
 #include "common/fingerprint.hpp"
+#include "common/formatted.hpp"
+#include "common/terminal.hpp"
 
 #include <isostretch/mesh/elements.hpp>
 #include <isostretch/mesh/generators.hpp>
@@ -229,6 +231,15 @@ Body body_of(const ElementMesh& m, const BodySpec& spec) {
   return hex_body({m.vertices, m.elements}, spec);
 }
 
+// Coordinates of scenes are along these. Adding zero makes one zero of two.
+std::string axes_text(const Plane& plane) {
+  const auto along = [](const Eigen::Vector3d& a) {
+    return formatted("(%.4g, %.4g, %.4g)", a[0] + 0.0, a[1] + 0.0, a[2] + 0.0);
+  };
+  return "flat, in a plane of its own: x of the scene runs along " + along(plane.u) +
+         " of the file and y along " + along(plane.v);
+}
+
 }  // namespace
 
 GeneratedBody refined(GeneratedBody body, int factor) {
@@ -249,6 +260,7 @@ Body body_from(ElementMesh m, const BodySpec& spec) {
   return naming_file(spec.file, [&] {
     std::optional<Plane> plane;
     if (mesh::shape_dim(m.shape) == 2) plane = flatten(m);
+    if (plane && plane->v != Plane().v) notice(spec.file.string() + ": " + axes_text(*plane));
     mend(m, spec.repair, spec.file.string());
     Body body = body_of(m, spec);
     body.name = spec.file.filename().string();

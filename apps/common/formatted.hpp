@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -19,6 +20,12 @@ inline std::string with_thousands(long long count) {
   const std::size_t first = count < 0 ? 1 : 0;
   for (std::size_t i = text.size(); i > first + 3;) text.insert(i -= 3, 1, ',');
   return text;
+}
+
+// The name of a status or of an option, to be read: "stopped_iterations" as "stopped iterations".
+inline std::string in_words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
 }
 
 // "1 chart", "1,234 charts".

@@ -166,7 +166,7 @@ std::string effort_table(const ProblemResult& problem) {
     const Run* run = entry.typical();
     if (run == nullptr) continue;
     const Spread seconds = total_seconds(entry);
-    rows.push_back({std::string(entry.info.name), run->status, number(of_summary(run, "iterations"), "%.0f"),
+    rows.push_back({std::string(entry.info.name), in_words(run->status), number(of_summary(run, "iterations"), "%.0f"),
                     number(of_summary(run, "factorizations"), "%.0f"), median_cell(seconds),
                     range_cell(seconds), number(problem.relative_error(run->energy()), "%.1e"),
                     number(of_summary(run, "flips"), "%.0f"), number(peak_megabytes(entry).median, "%.0f")});
@@ -199,7 +199,7 @@ std::string failures(const ProblemResult& problem) {
     if (!entry.unsuited.empty())
       rows.push_back({std::string(entry.info.name), "not run: unsuited", entry.unsuited});
   for (const Shortfall& shortfall : shortfalls(problem))
-    rows.push_back({shortfall.method, shortfall.status, shortfall.message});
+    rows.push_back({shortfall.method, in_words(shortfall.status), shortfall.message});
   if (rows.empty()) return paragraph("Every method converged.");
   return wide_table({{"method"}, {"status"}, {"reason"}}, rows);
 }

@@ -12,7 +12,7 @@ using html::number;
 std::string frame_table(const Json& frames) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& f : frames)
-    rows.push_back({std::to_string(f["frame"].get<int>()), number(f["time"], "%.4g"), f["status"],
+    rows.push_back({std::to_string(f["frame"].get<int>()), number(f["time"], "%.4g"), in_words(f["status"]),
                     std::to_string(f["iterations"].get<int>()), std::to_string(f["parts"].get<int>()),
                     number(f.value("energy", Json()), "%.8g"),
                     number(f.value("gradient_inf_norm", Json()), "%.1e"), number(f["min_det_F"], "%.3g"),

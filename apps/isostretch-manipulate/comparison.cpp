@@ -177,13 +177,11 @@ std::string draw_comparison(const Comparison& comparison) {
 std::string comparison_page(const Comparison& comparison, const std::string& plots) {
   std::vector<html::Column> columns{{"solver"}, {"kind"}, {"status"}};
   for (const Quantity& quantity : quantities()) {
-    std::string name = quantity.name;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    columns.push_back({name, true});
+    columns.push_back({in_words(quantity.name), true});
   }
   std::vector<std::vector<std::string>> rows, notes;
   for (const Contestant& c : comparison.contestants) {
-    rows.push_back({std::string(c.info.name), kind_name(c), c.status});
+    rows.push_back({std::string(c.info.name), kind_name(c), in_words(c.status)});
     for (const Quantity& quantity : quantities()) rows.back().push_back(cell(quantity, comparison, c));
     notes.push_back(
         {std::string(c.info.name), std::string(c.info.title), std::string(c.info.source), c.message});

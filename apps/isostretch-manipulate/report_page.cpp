@@ -16,7 +16,7 @@ std::string number(const Json& frame, const char* key, const char* pattern) {
 std::string frame_table(const Json& frames) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& f : frames)
-    rows.push_back({number(f, "frame", "%.0f"), number(f, "time", "%.4g"), f["status"],
+    rows.push_back({number(f, "frame", "%.0f"), number(f, "time", "%.4g"), in_words(f["status"]),
                     number(f, "iterations", "%.0f"), number(f, "linear_solves", "%.0f"),
                     number(f, "elastic_energy", "%.7g"), number(f, "target_energy", "%.5g"),
                     number(f, "gap", "%.1e"), number(f, "inverted_before", "%.0f"),

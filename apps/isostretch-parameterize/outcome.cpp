@@ -54,7 +54,9 @@ std::string outcome(const Result& r) {
 std::vector<std::string> layout_warnings(const Result& r) {
   std::vector<std::string> warnings;
   const mesh::Overlap& overlap = r.layout.overlap;
-  if (!overlap.triangles.empty()) {
+  if (r.solution.has_vanished())
+    warnings.push_back("the layout has shrunk to a point: the energy falls as triangles shrink, without a least value");
+  else if (!overlap.triangles.empty()) {
     const std::size_t charts = charts_concerned(r.domain, overlap).size();
     warnings.push_back("the layout lies on itself: " + counted(overlap.triangles.size(), "triangle") +
                        " of " + counted(charts, "chart") + (r.layout.packed ? "" : " (not packed)") +

@@ -63,7 +63,7 @@ void follow(const Domain& domain, const mesh::Division& division, Start& start, 
 
 OverlapSplit split_overlap(Domain& domain, Start& start, Solution& solution, const Options& options) {
   OverlapSplit split;
-  split.done = options.splits_overlap(start.charts.size());
+  split.done = options.splits_overlap(start.charts.size()) && !solution.has_vanished();
   if (!split.done) return split;
   const ChartsOverlap overlap =
       overlap_of_charts(start, solution.uv, !options.has_pins() && options.aligned.empty());

@@ -25,11 +25,6 @@ std::string count(const Json& value) {
   return value.is_number() ? with_thousands(value.get<long long>()) : "–";
 }
 
-std::string words(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
 std::string section(const std::string& title, const Rows& rows) {
   return html::block("section", html::element("h3", title) + "\n" + html::table({{""}, {"", true}}, rows));
 }
@@ -42,7 +37,7 @@ std::string model_facts(const Json& mesh, const Json& repairs) {
   // Lists of elements, of which the page has the number.
   for (const auto& [what, elements] : repairs.items())
     if (!elements.empty())
-      rows.push_back({"repaired: " + words(what), with_thousands(static_cast<long long>(elements.size()))});
+      rows.push_back({"repaired: " + in_words(what), with_thousands(static_cast<long long>(elements.size()))});
   return section("Model", rows);
 }
 
@@ -74,7 +69,7 @@ std::string solve_facts(const Json& s) {
                            {"largest gradient entry", real(s.at("gradient_inf_norm"), 3)},
                            {"iterations", count(s.at("iterations"))},
                            {"factorizations", count(s.at("factorizations"))},
-                           {"status", words(s.at("status").get<std::string>())},
+                           {"status", in_words(s.at("status").get<std::string>())},
                            {"linear solver", s.at("solver").get<std::string>()}});
 }
 
@@ -92,7 +87,7 @@ std::string distortion_facts(const Json& s) {
 std::string time_facts(const Json& s) {
   Rows rows;
   for (const auto& [phase, seconds] : s.at("seconds").items())
-    rows.push_back({words(phase), real(seconds, 3)});
+    rows.push_back({in_words(phase), real(seconds, 3)});
   rows.push_back({"threads", count(s.at("threads"))});
   return section("Seconds", rows);
 }
@@ -109,8 +104,8 @@ std::vector<std::string> chart_row(const Json& chart, std::size_t number) {
           formatted("%.2f %%", 100 * area),
           energy.is_number() ? formatted("%.6g", energy.get<double>() / area) : "–",
           count(entry(chart, "iterations")),
-          status.is_string() ? words(status.get<std::string>()) : "–",
-          words(chart.at("start").get<std::string>())};
+          status.is_string() ? in_words(status.get<std::string>()) : "–",
+          in_words(chart.at("start").get<std::string>())};
 }
 
 std::string pin_text(const Json& pin) {
@@ -173,7 +168,7 @@ std::string option_table(const Json& s) {
   for (const auto& [name, value] : s.at("energy_parameters").items())
     rows.push_back({"energy: " + name, real(value, 6)});
   for (const auto& [name, value] : s.at("options").items())
-    rows.push_back({words(name), option_text(name, value)});
+    rows.push_back({in_words(name), option_text(name, value)});
   return html::table({{""}, {""}}, rows);
 }
 

@@ -199,6 +199,11 @@ class Solver {
 
 }  // namespace
 
+bool Solution::has_vanished() const {
+  constexpr double next_to_none = 1e-9;
+  return std::all_of(stretches.begin(), stretches.end(), [](double s) { return std::abs(s) < next_to_none; });
+}
+
 Solution solve(Domain& domain, Start& start, const energies::AnyEnergy& energy, const Options& options) {
   return Solver(domain, start, energy, options).run();
 }

@@ -28,6 +28,9 @@ struct Solution {
   Pins pins;                    // vertices of the opened mesh
   int cuts = 0;                 // made for --max-distortion
   double worst_distortion = 1;  // largest of sigma_1 and 1 / sigma_2
+
+  // All lengths are next to none: the energy falls as triangles shrink, whatever their shape.
+  bool has_vanished() const;
 };
 
 // Minimises from the start, chart by chart; Ctrl-C ends it after the iteration. With a bound on the

@@ -107,6 +107,19 @@ TEST_SUITE("energies of one's own") {
     }
   }
 
+  TEST_CASE("an energy that falls as triangles shrink: the layout is said to be a point, and is not split") {
+    const Scratch scratch;
+    const std::string mesh = scratch.path("face.obj"), out = scratch.path("out");
+    mesh::write_obj(mesh, mesh::procedural_face(8));
+    const Outcome outcome = parameterize({mesh, "-o", out, "--no-picture", "-e", "log(I2)"});
+    CHECK_MESSAGE(
+        outcome.err.find("warning: the layout has shrunk to a point: the energy falls as triangles shrink") !=
+            std::string::npos,
+        outcome.err);
+    CHECK(outcome.err.find("please report") == std::string::npos);
+    CHECK_MESSAGE(outcome.out.find("1 chart;") != std::string::npos, outcome.out);
+  }
+
   TEST_CASE("--log-file gets what the libraries say") {
     const Scratch scratch;
     const std::string mesh = scratch.path("face.obj"), file = scratch.path("log.txt");

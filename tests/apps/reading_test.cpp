@@ -196,12 +196,14 @@ TEST_CASE("bodies: hexahedra, elements of second order and TetGen's files; sever
 
 TEST_CASE("flat bodies lie in any plane, and frames in the same") {
   const Scratch scratch;
+  std::string axes;  // what a run says of them
   const auto frame = [&](const std::string& model) {
     const std::string file = scratch.write("plane.obj", model + "f 1 2 3\nf 1 3 4\n");
     const Outcome run = deform({file, "-o", scratch.path("out"), "--handle", "slab:x,min,0.01", "--handle",
                                 "slab:x,max,0.01;rotate=30;translate=0.2,0.1", "--no-picture", "--frames",
                                 "1", "--format", "obj"});
     CHECK_MESSAGE(run.code == 0, run.err);
+    axes = run.err;
     CHECK(mesh_of(scratch).at("area").get<double>() == Approx(1));
     const mesh::SurfaceMesh first = mesh::read_obj(scratch.path("out/frame_0000.obj"));
     CHECK((first.vertices - mesh::read_obj(file).vertices).cwiseAbs().maxCoeff() < 1e-6);
@@ -209,10 +211,17 @@ TEST_CASE("flat bodies lie in any plane, and frames in the same") {
   };
   for (const mesh::SurfaceMesh& m : frame("v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"))
     CHECK((m.vertices.col(2).array() == 1).all());
+  CHECK(axes.find("runs along") == std::string::npos);
   for (const mesh::SurfaceMesh& m : frame("v 0 0 0\nv 1 0 1e-12\nv 1 1 0\nv 0 1 -1e-12\n"))
     CHECK(m.vertices.col(2).cwiseAbs().maxCoeff() < 1e-11);
   for (const mesh::SurfaceMesh& m : frame("v 5 0 0\nv 5 1 0\nv 5 1 1\nv 5 0 1\n"))
     CHECK(m.vertices.col(0).isApproxToConstant(5, 1e-12));
+  CHECK_MESSAGE(
+      axes.find("plane.obj: flat, in a plane of its own: x of the scene runs along (0, 1, 0) of the file "
+                "and y along (0, 0, 1)") != std::string::npos,
+      axes);
+  frame("v 5 0 0\nv 5 0 1\nv 5 1 1\nv 5 1 0\n");  // faces the other way
+  CHECK_MESSAGE(axes.find("along (0, 1, 0) of the file and y along (0, 0, -1)") != std::string::npos, axes);
   // Across x + y + z = 1, either way round.
   const std::string a = "v 1 0 0\n", b = "v 0.2928932188134524 0.7071067811865476 0\n";
   const double s = 1 / std::sqrt(6.0);
