@@ -216,24 +216,49 @@ mesh::Edge longest_inner_edge(const Domain& domain, int triangle) {
   return longest;
 }
 
-}  // namespace
-
-std::vector<int> cut_off(Domain& domain, int triangle, mesh::Points2& uv, const Options& options) {
-  mesh::CutOptions further;
-  further.holes = options.holes;
-  further.seams = domain.cut.seams;
-  further.seams.push_back(longest_inner_edge(domain, triangle));
-  const mesh::Cut before = std::exchange(domain.cut, mesh::cut_to_disks(domain.input, further));
+// The domain cut along these seams and no others. uv follows; where several vertices become one it is their
+// middle, by corners. Returns the chart before of every chart.
+std::vector<int> recut(Domain& domain, std::vector<mesh::Edge> seams, mesh::Points2& uv,
+                       const Options& options) {
+  mesh::CutOptions cut;
+  cut.holes = options.holes;
+  cut.seams = std::move(seams);
+  const mesh::Cut before = std::exchange(domain.cut, mesh::cut_to_disks(domain.input, cut));
+  const mesh::Triangles& triangles = domain.open().triangles;
   mesh::Points2 carried = mesh::Points2::Zero(domain.open().vertices.rows(), 2);
+  Eigen::VectorXd corners = Eigen::VectorXd::Zero(carried.rows());
   std::vector<int> part_of(domain.cut.charts.size(), -1);
-  for (Eigen::Index t = 0; t < before.mesh.triangles.rows(); ++t) {
-    for (int c = 0; c < 3; ++c)
-      carried.row(domain.open().triangles(t, c)) = uv.row(before.mesh.triangles(t, c));
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
+    for (int c = 0; c < 3; ++c) {
+      const int v = triangles(t, c);
+      // The mean of equal rows is that row, to the bit.
+      carried.row(v) += (uv.row(before.mesh.triangles(t, c)) - carried.row(v)) / ++corners[v];
+    }
     part_of[static_cast<std::size_t>(domain.cut.chart[static_cast<std::size_t>(t)])] =
         before.chart[static_cast<std::size_t>(t)];
   }
   uv = carried;
   return part_of;
+}
+
+}  // namespace
+
+std::vector<int> cut_off(Domain& domain, int triangle, mesh::Points2& uv, const Options& options) {
+  std::vector<mesh::Edge> seams = domain.cut.seams;
+  seams.push_back(longest_inner_edge(domain, triangle));
+  return recut(domain, std::move(seams), uv, options);
+}
+
+int sew(Domain& domain, const std::vector<int>& path, mesh::Points2& uv, const Options& options) {
+  std::vector<mesh::Edge> seams = domain.cut.seams;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    std::erase(seams, mesh::Edge{std::min(path[i - 1], path[i]), std::max(path[i - 1], path[i])});
+  recut(domain, std::move(seams), uv, options);
+  const mesh::Triangles& triangles = domain.open().triangles;
+  for (Eigen::Index i = 0; i < triangles.size(); ++i)
+    if (domain.cut.original_vertex[static_cast<std::size_t>(triangles.data()[i])] == path.front())
+      return domain.cut.chart[static_cast<std::size_t>(i / 3)];
+  return -1;
 }
 
 }  // namespace isostretch::app::parameterize

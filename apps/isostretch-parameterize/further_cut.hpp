@@ -22,6 +22,10 @@ enum class OnFromEnd { to_vertex, straight };
 // Returns the chart; -1 and does nothing when an earlier cut has come to the vertex.
 int cut_at(Domain& domain, int vertex, OnFromEnd on, mesh::Points2& uv);
 
+// Closes the cut along a path of vertices of the input, as spurs() lists them; uv follows, with the middle of
+// what comes together. Charts keep their numbers. Returns the chart that it was in.
+int sew(Domain& domain, const std::vector<int>& path, mesh::Points2& uv, const Options& options);
+
 // The most distorted triangle above the bound that has an edge to another one of its chart; -1: none.
 int worst_triangle(const Domain& domain, const std::vector<double>& stretches, double bound);
 

@@ -10,6 +10,7 @@
 #include "placement.hpp"
 
 #include <isostretch/core/timer.hpp>
+#include <isostretch/mesh/orientation.hpp>
 #include <isostretch/newton/minimize.hpp>
 
 #include <algorithm>
@@ -40,6 +41,7 @@ class Solver {
     for (std::size_t c = 0; c < start_.charts.size(); ++c) solve_chart(static_cast<int>(c), Care::full, true);
     if (options_.max_distortion > 0) cut_further();
     if (reaches_tips()) reach_remaining_tips();
+    sew_spurs();
     if (solution_.cuts > 0) notice("cut further from " + counted(solution_.cuts, "distorted place"));
     combine_runs(solution_.runs, solution_.summary, solution_.chart_of_row);
     solution_.worst_distortion = worst_distortion(solution_.stretches);
@@ -155,6 +157,32 @@ class Solver {
     for (int round = 0; round < tip_rounds && may_go_on(); ++round)
       if (!lengthen_cuts(tip_distortion, OnFromEnd::to_vertex) && !finish()) return;
     finish();
+  }
+
+  // What further cuts leave of one to three edges is closed where that asks for no distortion beyond what
+  // there is.
+  void sew_spurs() {
+    if (solution_.cuts == 0 || domain_.seams_from_input) return;
+    const double bound = std::max(options_.max_distortion, worst_distortion(solution_.stretches));
+    for (const std::vector<int>& path : mesh::spurs(domain_.cut)) {
+      if (!may_go_on()) return;
+      const Domain domain = domain_;
+      const std::vector<Chart> charts = start_.charts;
+      const Solution solution = solution_;
+      const int chart = sew(domain_, path, solution_.uv, options_);
+      start_.charts = make_charts(domain_, start_);
+      for (std::size_t c = 0; c < charts.size(); ++c) start_.charts[c].method = charts[c].method;
+      const mesh::Points2 own = start_.charts[static_cast<std::size_t>(chart)].gather(solution_.uv);
+      const bool can_start =
+          mesh::count_flipped(own, start_.charts[static_cast<std::size_t>(chart)].mesh.triangles) == 0;
+      if (can_start) solve_chart(chart, Care::full, false);
+      if (can_start && solution_.runs.back().summary.converged() &&
+          worst_distortion(solution_.stretches) <= bound)
+        continue;
+      domain_ = domain;
+      start_.charts = charts;
+      solution_ = solution;
+    }
   }
 
   bool reaches_tips() const {

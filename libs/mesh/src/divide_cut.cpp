@@ -108,6 +108,12 @@ void measure_charts(Cut& cut) {
   for (const auto& [where, size] : seam) cut.charts[at(where.first)].seam_length += size;
 }
 
+struct Divided {
+  Cut cut;
+  Division division;
+  std::size_t spurs = 0;
+};
+
 }  // namespace
 
 Division divide_charts(Cut& cut, const std::vector<int>& part) {
@@ -135,7 +141,17 @@ Division split_overlap(Cut& cut, const Points2& uv) {
   if (uv.rows() != cut.mesh.vertices.rows())
     throw Error("split_overlap: " + std::to_string(uv.rows()) + " points for " +
                 std::to_string(cut.mesh.vertices.rows()) + " vertices");
-  return divide_charts(cut, parts_without_overlap(cut.mesh, cut.chart, uv));
+  const std::size_t before = spurs(cut).size();
+  Divided best;
+  for (const int spur_detour : {4, 16, 1000}) {
+    Divided now{cut, {}, 0};
+    now.division = divide_charts(now.cut, parts_without_overlap(cut, uv, spur_detour));
+    now.spurs = spurs(now.cut).size();
+    if (best.cut.chart.empty() || now.spurs < best.spurs) best = std::move(now);
+    if (best.spurs <= before) break;
+  }
+  cut = std::move(best.cut);
+  return std::move(best.division);
 }
 
 }  // namespace isostretch::mesh

@@ -2,6 +2,7 @@
 #include "index.hpp"
 #include "measure.hpp"
 #include "shortest_paths.hpp"
+#include "spur.hpp"
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/mesh/components.hpp>
@@ -31,9 +32,8 @@ Part part_of_chart(const Cut& cut, int chart) {
   return split({cut.mesh.vertices, cut.mesh.triangles, {}, {}}, label).front();
 }
 
-// Shorter branches of a cut are spurs, which nobody would draw; and an end moved by one edge only moves what
-// it does to its neighbours.
-constexpr int least_edges = 4, least_onward = 2;
+// An end moved by one edge only moves what it does to its neighbours.
+constexpr int least_onward = 2;
 
 // Where a cut ends inside the surface: both boundary edges are copies of one edge. `original` has the
 // vertices of which those of the piece are copies.
@@ -65,7 +65,7 @@ std::vector<double> weights_around_ends(const Piece& piece, const std::vector<in
   for (const std::vector<int>& loop : piece.loops)
     for (std::size_t i = 0; i < loop.size(); ++i)
       if (is_end(piece, original, piece.surface.from(loop[i])))
-        for (std::size_t step = 1; step < at(least_edges); ++step)
+        for (std::size_t step = 1; step < at(least_branch); ++step)
           for (const std::size_t j : {i + step, i + loop.size() - step % loop.size()})
             avoided[at(piece.surface.from(loop[j % loop.size()]))] = 1;
   std::vector<double> weights = piece.weights;
@@ -80,7 +80,7 @@ std::vector<double> weights_around_ends(const Piece& piece, const std::vector<in
 std::vector<int> path_to_boundary(const Piece& piece, const std::vector<int>& original, int vertex) {
   double typical = 0;
   for (const double weight : piece.weights) typical += weight / static_cast<double>(piece.weights.size());
-  const double detour = least_edges * typical;
+  const double detour = least_branch * typical;
   double shortest = std::numeric_limits<double>::infinity();
   int best = -1;
   const ShortestPaths paths = shortest_paths(
@@ -108,7 +108,7 @@ std::vector<int> branch(const Piece& piece, const std::vector<int>& original, in
   on_path[at(vertex)] = 1;
   int last = vertex;
   for (const int h : path) on_path[at(last = other_end(piece.surface, h, last))] = 1;
-  const int least = is_end(piece, original, last) ? least_onward : least_edges;
+  const int least = is_end(piece, original, last) ? least_onward : least_branch;
   if (static_cast<int>(path.size()) >= least) return path;
   const std::vector<double> depth = depths(piece);
   while (static_cast<int>(path.size()) < least) {

@@ -3,6 +3,7 @@
 #include "index.hpp"
 #include "measure.hpp"
 #include "minimum_cut.hpp"
+#include "spur.hpp"
 #include "topology.hpp"
 
 #include <isostretch/mesh/overlap.hpp>
@@ -19,9 +20,34 @@
 namespace isostretch::mesh {
 namespace {
 
-// Sides that two triangles of one group share, by their length in space. Whole numbers: sums have no order.
-TriangleGraph graph_of(const SurfaceMesh& mesh, const std::vector<int>& group) {
+// Vertices of the boundary so near the end of a cut that a path from there would leave a spur.
+std::vector<char> leaving_spurs(const Cut& cut) {
+  std::vector<int> next(cut.original_vertex.size(), -1), previous(next);
+  for_each_edge(sorted_sides(cut.mesh.triangles), [&](const Side* begin, const Side* end) {
+    if (end - begin != 1) return;
+    next[at(begin->from())] = begin->to();
+    previous[at(begin->to())] = begin->from();
+  });
+  const auto is_end = [&](int v) {
+    return next[at(v)] >= 0 &&
+           cut.original_vertex[at(next[at(v)])] == cut.original_vertex[at(previous[at(v)])];
+  };
+  std::vector<char> leaving(next.size(), 0);
+  for (int v = 0; v < static_cast<int>(next.size()); ++v)
+    for (const auto* direction : {&next, &previous}) {
+      int there = v;
+      for (int i = 1; i < least_branch && is_end(v) && !is_end(there = (*direction)[at(there)]); ++i)
+        leaving[at(there)] = 1;
+    }
+  return leaving;
+}
+
+// Sides that two triangles of one chart share, by their length in space. Whole numbers: sums have no order.
+TriangleGraph graph_of(const Cut& cut, int spur_detour) {
   constexpr double resolution = 1e9;
+  const SurfaceMesh& mesh = cut.mesh;
+  const std::vector<int>& group = cut.chart;
+  const std::vector<char> leaving = leaving_spurs(cut);
   TriangleGraph graph;
   graph.opposite.assign(3 * group.size(), -1);
   graph.capacity.assign(3 * group.size(), 0);
@@ -34,8 +60,13 @@ TriangleGraph graph_of(const SurfaceMesh& mesh, const std::vector<int>& group) {
     lengths[at(a)] = lengths[at(b)] = length(edge_vector(mesh.vertices, begin->low, begin->high));
   });
   const double longest = *std::max_element(lengths.begin(), lengths.end());
-  for (std::size_t h = 0; h < lengths.size(); ++h)
-    if (lengths[h] > 0) graph.capacity[h] = 1 + std::llround(lengths[h] / longest * resolution);
+  for (std::size_t h = 0; h < lengths.size(); ++h) {
+    if (!(lengths[h] > 0)) continue;
+    graph.capacity[h] = 1 + std::llround(lengths[h] / longest * resolution);
+    const auto t = static_cast<Eigen::Index>(h / 3), c = static_cast<Eigen::Index>(h % 3);
+    if (leaving[at(mesh.triangles(t, c))] || leaving[at(mesh.triangles(t, (c + 1) % 3))])
+      graph.capacity[h] *= spur_detour;
+  }
   return graph;
 }
 
@@ -59,12 +90,12 @@ std::vector<std::vector<int>> partners(const SurfaceMesh& mesh, const std::vecto
 
 class Divider {
  public:
-  Divider(const SurfaceMesh& mesh, const std::vector<int>& group, const Points2& uv)
-      : triangles_(mesh.triangles),
+  Divider(const Cut& cut, const Points2& uv, int spur_detour)
+      : triangles_(cut.mesh.triangles),
         uv_(uv),
-        graph_(graph_of(mesh, group)),
-        others_(partners(mesh, group, uv)),
-        part_(group.size(), -1) {}
+        graph_(graph_of(cut, spur_detour)),
+        others_(partners(cut.mesh, cut.chart, uv)),
+        part_(cut.chart.size(), -1) {}
 
   std::vector<int> divide(const std::vector<int>& group) {
     if (std::all_of(others_.begin(), others_.end(), [](const auto& others) { return others.empty(); }))
@@ -266,10 +297,9 @@ class Divider {
 
 }  // namespace
 
-std::vector<int> parts_without_overlap(const SurfaceMesh& mesh, const std::vector<int>& group,
-                                       const Points2& uv) {
-  if (group.empty()) return {};
-  return Divider(mesh, group, uv).divide(group);
+std::vector<int> parts_without_overlap(const Cut& cut, const Points2& uv, int spur_detour) {
+  if (cut.chart.empty()) return {};
+  return Divider(cut, uv, spur_detour).divide(cut.chart);
 }
 
 }  // namespace isostretch::mesh

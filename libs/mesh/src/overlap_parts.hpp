@@ -1,15 +1,16 @@
 #pragma once
 
+#include <isostretch/mesh/cut.hpp>
 #include <isostretch/mesh/types.hpp>
 
 #include <vector>
 
 namespace isostretch::mesh {
 
-// Divides the triangles of a layout into connected parts none of which overlaps itself. `group` says which
-// triangles belong together to begin with; triangles of different groups may lie on each other. Parts are
-// counted from 0 in the order of their first triangles.
-std::vector<int> parts_without_overlap(const SurfaceMesh& mesh, const std::vector<int>& group,
-                                       const Points2& uv);
+// Divides the charts of a layout into connected parts none of which overlaps itself; triangles of different
+// charts may lie on each other. Returns a part for every triangle, counted from 0 in the order of their first
+// triangles. Parts are separated along the shortest ways, where one that leaves a spur of the cut counts as
+// so many times longer at its end.
+std::vector<int> parts_without_overlap(const Cut& cut, const Points2& uv, int spur_detour);
 
 }  // namespace isostretch::mesh

@@ -563,6 +563,28 @@ TEST_CASE("extend cut: no spurs, and ends are gone on from") {
   CHECK(cut.seams.size() > 5);
 }
 
+TEST_CASE("spurs: branches of one to three edges that end inside the surface") {
+  // Vertex (x, y) has number x + 11 y.
+  const SurfaceMesh mesh = grid(10, 10);
+  const auto cut = [&](std::vector<std::vector<int>> paths) {
+    CutOptions options;
+    for (const std::vector<int>& path : paths)
+      for (std::size_t i = 1; i < path.size(); ++i)
+        options.seams.push_back({std::min(path[i - 1], path[i]), std::max(path[i - 1], path[i])});
+    return cut_to_disks(mesh, options);
+  };
+  using Paths = std::vector<std::vector<int>>;
+  const std::vector<int> trunk{55, 56, 57, 58, 59, 60, 61, 62, 63};  // from the left side
+  CHECK(spurs(cut({})).empty());
+  CHECK(spurs(cut({trunk})).empty());
+  CHECK(spurs(cut({{55, 56, 57}})) == Paths{{57, 56, 55}});
+  CHECK(spurs(cut({trunk, {58, 69}})) == Paths{{69, 58}});
+  CHECK(spurs(cut({trunk, {58, 69, 80, 91}})) == Paths{{91, 80, 69, 58}});
+  CHECK(spurs(cut({trunk, {58, 69, 80, 91, 102}})).empty());
+  CHECK(spurs(cut({trunk, {57, 46}, {59, 70, 81}})) == Paths{{46, 57}, {81, 70, 59}});
+  CHECK(spurs(cut({trunk, {63, 64, 65}})).empty());  // from side to side
+}
+
 TEST_CASE("distances to the boundary go along edges, and there may be none") {
   const SurfaceMesh mesh = grid(4, 4);
   const std::vector<double> distance = distance_to_boundary(mesh);

@@ -76,6 +76,11 @@ Cut cut_to_disks(const SurfaceMesh& mesh, const CutOptions& options = {});
 // is on the boundary already or in no triangle.
 std::vector<int> extend_cut(Cut& cut, int vertex);
 
+/// Lists the branches of a cut that are too short for a seam: fewer than four edges from an end inside the
+/// surface to where they meet the rest of the cut or the boundary. Each is a path of vertices in the input's
+/// numbering, from its end on.
+std::vector<std::vector<int>> spurs(const Cut& cut);
+
 /// What became of a cut whose charts were divided.
 struct Division {
   std::vector<int>
