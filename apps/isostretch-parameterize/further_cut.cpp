@@ -2,6 +2,8 @@
 
 #include <isostretch/mesh/boundary.hpp>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -180,6 +182,62 @@ int cut_at(Domain& domain, int vertex, OnFromEnd on, mesh::Points2& uv) {
   return chart;
 }
 
+namespace {
+
+// Triangles above the bound that hang together with those around the vertex, and these.
+std::vector<int> distorted_around(const Domain& domain, const Stars& stars,
+                                  const std::vector<double>& stretches, double bound, int vertex) {
+  const std::span<const int> around = stars.triangles_around(vertex);
+  std::vector<int> place(around.begin(), around.end());
+  std::set<int> seen(place.begin(), place.end());
+  for (std::size_t i = 0; i < place.size(); ++i)
+    for (const int v : domain.open().triangles.row(place[i]))
+      for (const int t : stars.triangles_around(v))
+        if (distortion_of(stretches, static_cast<std::size_t>(t)) > bound && seen.insert(t).second)
+          place.push_back(t);
+  return place;
+}
+
+double area_of(const Domain& domain, const std::vector<int>& triangles) {
+  double doubled = 0;
+  for (const int t : triangles) {
+    const auto corner = [&](int c) -> Eigen::RowVector3d {
+      return domain.open().vertices.row(domain.open().triangles(t, c));
+    };
+    doubled += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+  }
+  return doubled / 2;
+}
+
+}  // namespace
+
+std::vector<int> part_to_cut_off(const Domain& domain, const std::vector<double>& stretches, double bound) {
+  constexpr double scrap = 0.01;  // of the whole area
+  const Stars stars(domain.open().triangles, domain.open().vertices.rows());
+  const std::vector<double> way = mesh::distance_to_boundary(domain.open());
+  const mesh::Encloser encloser(domain.cut);
+  // A loop around the worst of the place is shorter than one around all of it.
+  const double worse = std::sqrt(bound * std::min(worst_distortion(stretches), bound * bound * bound));
+  for (const int vertex : worst_vertices(domain, stretches, bound))
+    for (const double above : {worse, bound}) {
+      const std::vector<int> place = distorted_around(domain, stars, stretches, above, vertex);
+      std::vector<int> part = encloser.enclose(place, way[static_cast<std::size_t>(vertex)]).triangles;
+      if (area_of(domain, part) >= scrap * area_of(domain)) return part;
+    }
+  return {};
+}
+
+std::vector<int> make_apart(Domain& domain, const std::vector<int>& triangles, mesh::Points2& uv) {
+  std::vector<int> part = domain.cut.chart;
+  for (const int t : triangles)
+    part[static_cast<std::size_t>(t)] = static_cast<int>(domain.cut.charts.size());
+  std::map<int, int> number;  // by first triangles
+  for (int& own : part) own = number.emplace(own, static_cast<int>(number.size())).first->second;
+  const mesh::Division division = mesh::divide_charts(domain.cut, part);
+  uv = rows_of(uv, division.previous_vertex);
+  return division.previous_chart;
+}
+
 int worst_triangle(const Domain& domain, const std::vector<double>& stretches, double bound) {
   const mesh::Triangles& triangles = domain.open().triangles;
   std::vector<int> size(domain.cut.charts.size(), 0);
@@ -218,10 +276,9 @@ mesh::Edge longest_inner_edge(const Domain& domain, int triangle) {
 
 // The domain cut along these seams and no others. uv follows; where several vertices become one it is their
 // middle, by corners. Returns the chart before of every chart.
-std::vector<int> recut(Domain& domain, std::vector<mesh::Edge> seams, mesh::Points2& uv,
-                       const Options& options) {
+std::vector<int> recut(Domain& domain, std::vector<mesh::Edge> seams, mesh::Points2& uv) {
   mesh::CutOptions cut;
-  cut.holes = options.holes;
+  cut.holes = mesh::Holes::keep_all;  // what had to be cut is among the seams
   cut.seams = std::move(seams);
   const mesh::Cut before = std::exchange(domain.cut, mesh::cut_to_disks(domain.input, cut));
   const mesh::Triangles& triangles = domain.open().triangles;
@@ -243,17 +300,17 @@ std::vector<int> recut(Domain& domain, std::vector<mesh::Edge> seams, mesh::Poin
 
 }  // namespace
 
-std::vector<int> cut_off(Domain& domain, int triangle, mesh::Points2& uv, const Options& options) {
+std::vector<int> cut_off(Domain& domain, int triangle, mesh::Points2& uv) {
   std::vector<mesh::Edge> seams = domain.cut.seams;
   seams.push_back(longest_inner_edge(domain, triangle));
-  return recut(domain, std::move(seams), uv, options);
+  return recut(domain, std::move(seams), uv);
 }
 
-int sew(Domain& domain, const std::vector<int>& path, mesh::Points2& uv, const Options& options) {
+int sew(Domain& domain, const std::vector<int>& path, mesh::Points2& uv) {
   std::vector<mesh::Edge> seams = domain.cut.seams;
   for (std::size_t i = 1; i < path.size(); ++i)
     std::erase(seams, mesh::Edge{std::min(path[i - 1], path[i]), std::max(path[i - 1], path[i])});
-  recut(domain, std::move(seams), uv, options);
+  recut(domain, std::move(seams), uv);
   const mesh::Triangles& triangles = domain.open().triangles;
   for (Eigen::Index i = 0; i < triangles.size(); ++i)
     if (domain.cut.original_vertex[static_cast<std::size_t>(triangles.data()[i])] == path.front())

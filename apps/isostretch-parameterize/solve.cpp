@@ -112,17 +112,57 @@ class Solver {
         solution_.stretches[2 * static_cast<std::size_t>(chart.triangle[t]) + i] = stretches[2 * t + i];
   }
 
-  // From vertices inside charts whose triangles are distorted most to the boundary, again and again.
+  // All that further cuts change.
+  struct State {
+    Domain domain;
+    Start start;
+    Solution solution;
+    std::vector<double> soft_pin_energy;
+  };
+
+  State state() const { return {domain_, start_, solution_, soft_pin_energy_}; }
+
+  void go_back_to(State state) {
+    domain_ = std::move(state.domain);
+    start_ = std::move(state.start);
+    solution_ = std::move(state.solution);
+    soft_pin_energy_ = std::move(state.soft_pin_energy);
+    rough_.clear();
+  }
+
+  double seam_length() const { return mesh::seam_length(domain_.input.vertices, domain_.cut.seams); }
+  bool is_within_bound() const { return worst_distortion(solution_.stretches) <= options_.max_distortion; }
+
+  // A part that is cut off may need cuts of its own, which only shows in the end.
   void cut_further() {
+    State before = state();
+    if (!cut_until_within_bound(true) || !may_go_on()) return;
+    State with_parts = state();
+    const double length = seam_length();
+    const bool within = is_within_bound();
+    go_back_to(std::move(before));
+    cut_until_within_bound(false);
+    if (is_within_bound() == within ? length < seam_length() : within) go_back_to(std::move(with_parts));
+  }
+
+  // From vertices inside charts whose triangles are distorted most to the boundary, again and again; or
+  // around them, if parts may be cut off. Returns whether any was.
+  bool cut_until_within_bound(bool by_parts) {
     const double bound = options_.max_distortion;
+    bool any_part = false;
     while (solution_.cuts < options_.max_cuts && may_go_on()) {
+      if (by_parts && cut_part_off(bound)) {
+        any_part = true;
+        continue;
+      }
       if (lengthen_cuts(bound, OnFromEnd::straight) || finish()) continue;
       const int triangle = worst_triangle(domain_, solution_.stretches, bound);
-      if (triangle < 0) return;
+      if (triangle < 0) return any_part;
       ++solution_.cuts;
       divide_chart(triangle);
     }
     finish();
+    return any_part;
   }
 
   bool may_go_on() const { return !interrupted() && !out_of_time(); }
@@ -166,12 +206,11 @@ class Solver {
     const double bound = std::max(options_.max_distortion, worst_distortion(solution_.stretches));
     for (const std::vector<int>& path : mesh::spurs(domain_.cut)) {
       if (!may_go_on()) return;
-      const Domain domain = domain_;
-      const std::vector<Chart> charts = start_.charts;
-      const Solution solution = solution_;
-      const int chart = sew(domain_, path, solution_.uv, options_);
+      State before = state();
+      const int chart = sew(domain_, path, solution_.uv);
       start_.charts = make_charts(domain_, start_);
-      for (std::size_t c = 0; c < charts.size(); ++c) start_.charts[c].method = charts[c].method;
+      for (std::size_t c = 0; c < start_.charts.size(); ++c)
+        start_.charts[c].method = before.start.charts[c].method;
       const mesh::Points2 own = start_.charts[static_cast<std::size_t>(chart)].gather(solution_.uv);
       const bool can_start =
           mesh::count_flipped(own, start_.charts[static_cast<std::size_t>(chart)].mesh.triangles) == 0;
@@ -179,9 +218,7 @@ class Solver {
       if (can_start && solution_.runs.back().summary.converged() &&
           worst_distortion(solution_.stretches) <= bound)
         continue;
-      domain_ = domain;
-      start_.charts = charts;
-      solution_ = solution;
+      go_back_to(std::move(before));
     }
   }
 
@@ -189,23 +226,42 @@ class Solver {
     return options_.max_distortion == 0 && options_.reaches_tips() && domain_.closed;
   }
 
-  // A triangle with all corners on the boundary can only be cut off. Charts that come out as they were keep
-  // their solution.
+  // A triangle with all corners on the boundary can only be cut off.
   void divide_chart(int triangle) {
-    const std::vector<int> part_of = cut_off(domain_, triangle, solution_.uv, options_);
+    for (const int chart : follow(cut_off(domain_, triangle, solution_.uv)))
+      solve_chart(chart, Care::full, false);
+  }
+
+  // Charts are numbered anew, as what they were part of says. Returns those that are not as they were; the
+  // others keep their solution.
+  std::vector<int> follow(const std::vector<int>& part_of) {
     std::vector<Chart> charts = make_charts(domain_, start_);
     std::vector<int> number(start_.charts.size(), -1), changed;
+    std::set<int> rough;
     for (std::size_t c = 0; c < part_of.size(); ++c) {
       const auto whole = static_cast<std::size_t>(part_of[c]);
       charts[c].method = start_.charts[whole].method;
       if (number[whole] < 0) number[whole] = static_cast<int>(c);
+      if (rough_.count(part_of[c]) > 0) rough.insert(static_cast<int>(c));
       if (charts[c].open_vertex.size() != start_.charts[whole].open_vertex.size())
         changed.push_back(static_cast<int>(c));
     }
     start_.charts = std::move(charts);
+    rough_ = std::move(rough);
     soft_pin_energy_.assign(start_.charts.size(), 0.0);  // pins and further cuts exclude each other
     for (Run& run : solution_.runs) run.chart = number[static_cast<std::size_t>(run.chart)];
-    for (const int chart : changed) solve_chart(chart, Care::full, false);
+    return changed;
+  }
+
+  // A distorted place far from the boundary is cut off where the way around it is shorter than the one to it.
+  // Returns whether there was any.
+  bool cut_part_off(double bound) {
+    const std::vector<int> part = part_to_cut_off(domain_, solution_.stretches, bound);
+    if (part.empty()) return false;
+    ++solution_.cuts;
+    for (const int chart : follow(make_apart(domain_, part, solution_.uv)))
+      solve_chart(chart, Care::rough, false);
+    return true;
   }
 
   bool out_of_time() const {

@@ -310,6 +310,42 @@ TEST_CASE("cuts for a bound on the distortion are seams: no spurs of one to thre
   }
 }
 
+TEST_CASE("--max-distortion cuts a part off where the way around it is shorter than the one to it") {
+  // A ball in the middle of a plate, on a short thin stem.
+  constexpr int segments = 24;
+  std::vector<std::array<double, 2>> profile;
+  for (const double radius : {6.0, 5.0, 4.0, 3.0, 2.0, 1.0, 0.5, 0.25}) profile.push_back({radius, 0});
+  for (int i = 0; i < 16; ++i) {
+    const double angle = 0.15 + (M_PI - 0.15) * i / 16;
+    profile.push_back({std::sin(angle), 1.1 - std::cos(angle)});
+  }
+  const int rings = static_cast<int>(profile.size());
+  mesh::SurfaceMesh ball;
+  ball.vertices.resize(rings * segments + 1, 3);
+  ball.triangles.resize((2 * rings - 1) * segments, 3);
+  int t = 0;
+  for (int r = 0; r < rings; ++r)
+    for (int s = 0; s < segments; ++s) {
+      const auto [radius, height] = profile[static_cast<std::size_t>(r)];
+      const double angle = 2 * M_PI * (s + 0.5 * r) / segments;
+      ball.vertices.row(r * segments + s) << radius * std::cos(angle), radius * std::sin(angle), height;
+      const int a = r * segments + s, b = r * segments + (s + 1) % segments, top = rings * segments;
+      ball.triangles.row(t++) << a, b, r + 1 == rings ? top : a + segments;
+      if (r + 1 < rings) ball.triangles.row(t++) << b, b + segments, a + segments;
+    }
+  ball.vertices.row(rings * segments) << 0, 0, 2.1;
+  const Scratch scratch;
+  mesh::write_obj(scratch.path("ball.obj"), ball);
+  const Outcome run = parameterize({scratch.path("ball.obj"), "-o", scratch.path("out"), "--no-picture", "-q",
+                                    "--max-distortion", "2.5", "--overlap", "allow"});
+  CHECK_MESSAGE(run.code == 0, run.err);
+  const auto summary = read_json(scratch.path("out/summary.json"));
+  CHECK(summary["distortion"]["worst"].get<double>() <= 2.5);
+  CHECK(summary["layout"]["charts"] == 2);
+  // One chart takes 15.6.
+  CHECK_MESSAGE(summary["layout"]["cut_length"].get<double>() < 12, summary["layout"].dump());
+}
+
 TEST_CASE("overlap: charts with pinned or aligned vertices are not taken apart") {
   const Scratch scratch;
   const std::string model = scratch.path("face.obj"), out = scratch.path("out");

@@ -101,7 +101,15 @@ std::vector<int> path_to_boundary(const Piece& piece, const std::vector<int>& or
   return path;
 }
 
-// The path, and beyond the vertex, away from the boundary, what it takes to be long enough.
+// Inside the surface and beside no vertex of the path but the one it would go on from.
+bool can_go_on(const Piece& piece, const std::vector<char>& on_path, int from, int to) {
+  bool free = !on_path[at(to)] && !piece.surface.boundary_vertex(to);
+  for_each_neighbour(piece.surface, to,
+                     [&](int, int beside) { free = free && (beside == from || !on_path[at(beside)]); });
+  return free;
+}
+
+// The path, and beyond the vertex, as far from the boundary as it can be, what it takes to be long enough.
 std::vector<int> branch(const Piece& piece, const std::vector<int>& original, int vertex) {
   std::vector<int> path = path_to_boundary(piece, original, vertex);
   std::vector<char> on_path(piece.surface.outgoing.size(), 0);
@@ -112,9 +120,11 @@ std::vector<int> branch(const Piece& piece, const std::vector<int>& original, in
   if (static_cast<int>(path.size()) >= least) return path;
   const std::vector<double> depth = depths(piece);
   while (static_cast<int>(path.size()) < least) {
-    int deepest = vertex, edge = -1;
+    int deepest = -1, edge = -1;
     for_each_neighbour(piece.surface, vertex, [&](int h, int neighbour) {
-      if (!on_path[at(neighbour)] && depth[at(neighbour)] > depth[at(deepest)]) deepest = neighbour, edge = h;
+      if ((edge < 0 || depth[at(neighbour)] > depth[at(deepest)]) &&
+          can_go_on(piece, on_path, vertex, neighbour))
+        deepest = neighbour, edge = h;
     });
     if (edge < 0) break;
     path.push_back(edge);

@@ -11,8 +11,13 @@ namespace {
 
 class Flow {
  public:
-  Flow(const TriangleGraph& graph, const std::vector<signed char>& mark)
-      : graph_(graph), mark_(mark), left_(graph.capacity), level_(mark.size(), -1), next_(mark.size(), 0) {
+  Flow(const TriangleGraph& graph, const std::vector<signed char>& mark, long long limit)
+      : graph_(graph),
+        mark_(mark),
+        limit_(limit),
+        left_(graph.capacity),
+        level_(mark.size(), -1),
+        next_(mark.size(), 0) {
     for (std::size_t t = 0; t < mark.size(); ++t)
       if (mark[t] > 0) (mark[t] == 1 ? first_ : second_).push_back(static_cast<int>(t));
   }
@@ -20,7 +25,8 @@ class Flow {
   std::vector<char> separate() {
     while (find_levels())
       for (const int t : first_)
-        while (level_[at(t)] >= 0 && augment(t)) continue;
+        while (level_[at(t)] >= 0 && augment(t))
+          if (flow_ >= limit_) return {};
     return within_reach();
   }
 
@@ -91,6 +97,7 @@ class Flow {
     }
     long long most = std::numeric_limits<long long>::max();
     for (const int h : path) most = std::min(most, left_[at(h)]);
+    flow_ += most;
     for (const int h : path) {
       left_[at(h)] -= most;
       left_[at(graph_.opposite[at(h)])] += most;
@@ -100,6 +107,7 @@ class Flow {
 
   const TriangleGraph& graph_;
   const std::vector<signed char>& mark_;
+  long long limit_, flow_ = 0;
   std::vector<long long> left_;
   std::vector<int> first_, second_;
   std::vector<int> level_, next_, path_, queue_;
@@ -107,8 +115,9 @@ class Flow {
 
 }  // namespace
 
-std::vector<char> minimum_cut(const TriangleGraph& graph, const std::vector<signed char>& mark) {
-  return Flow(graph, mark).separate();
+std::vector<char> minimum_cut(const TriangleGraph& graph, const std::vector<signed char>& mark,
+                              long long limit) {
+  return Flow(graph, mark, limit).separate();
 }
 
 }  // namespace isostretch::mesh

@@ -3,9 +3,12 @@
 #include <isostretch/mesh/seams.hpp>
 #include <isostretch/mesh/types.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace isostretch::mesh {
+
+struct TriangleGraph;
 
 // Boundary loops besides the longest: cut to it, or kept as holes of the chart.
 enum class Holes {
@@ -80,6 +83,31 @@ std::vector<int> extend_cut(Cut& cut, int vertex);
 /// surface to where they meet the rest of the cut or the boundary. Each is a path of vertices in the input's
 /// numbering, from its end on.
 std::vector<std::vector<int>> spurs(const Cut& cut);
+
+/// A part of a chart within a closed loop of edges, or within several.
+struct Enclosure {
+  std::vector<int> triangles;  ///< inside, ascending; none where there is no such loop
+  double length = 0;           ///< of the loop
+};
+
+/// Finds the shortest loops of edges around triangles of a cut mesh, which must stay as it is meanwhile.
+class Encloser {
+ public:
+  explicit Encloser(const Cut& cut);
+  ~Encloser();
+  Encloser(const Encloser&) = delete;
+  Encloser& operator=(const Encloser&) = delete;
+
+  /// Encloses triangles of one chart by the shortest loop that keeps off its boundary.
+  ///
+  /// There is none where one of the triangles has an edge on the boundary, and one of `limit` or more in
+  /// length is not looked for. Throws Error for triangles that do not exist or are of several charts.
+  Enclosure enclose(const std::vector<int>& triangles, double limit) const;
+
+ private:
+  const Cut& cut_;
+  std::unique_ptr<const TriangleGraph> graph_;
+};
 
 /// What became of a cut whose charts were divided.
 struct Division {
