@@ -143,7 +143,7 @@ Division split_overlap(Cut& cut, const Points2& uv) {
                 std::to_string(cut.mesh.vertices.rows()) + " vertices");
   const std::size_t before = spurs(cut).size();
   Divided best;
-  for (const int spur_detour : {4, 16, 1000}) {
+  for (const int spur_detour : {1, 2, 4, 8}) {
     Divided now{cut, {}, 0};
     now.division = divide_charts(now.cut, parts_without_overlap(cut, uv, spur_detour));
     now.spurs = spurs(now.cut).size();

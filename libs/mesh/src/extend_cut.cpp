@@ -109,7 +109,7 @@ bool can_go_on(const Piece& piece, const std::vector<char>& on_path, int from, i
   return free;
 }
 
-// The path, and beyond the vertex, as far from the boundary as it can be, what it takes to be long enough.
+// The path, and beyond the vertex, away from the boundary, what it takes to be long enough.
 std::vector<int> branch(const Piece& piece, const std::vector<int>& original, int vertex) {
   std::vector<int> path = path_to_boundary(piece, original, vertex);
   std::vector<char> on_path(piece.surface.outgoing.size(), 0);
@@ -120,12 +120,17 @@ std::vector<int> branch(const Piece& piece, const std::vector<int>& original, in
   if (static_cast<int>(path.size()) >= least) return path;
   const std::vector<double> depth = depths(piece);
   while (static_cast<int>(path.size()) < least) {
-    int deepest = -1, edge = -1;
+    int deepest = vertex, edge = -1;
     for_each_neighbour(piece.surface, vertex, [&](int h, int neighbour) {
-      if ((edge < 0 || depth[at(neighbour)] > depth[at(deepest)]) &&
-          can_go_on(piece, on_path, vertex, neighbour))
-        deepest = neighbour, edge = h;
+      if (!on_path[at(neighbour)] && depth[at(neighbour)] > depth[at(deepest)]) deepest = neighbour, edge = h;
     });
+    // From a ridge it goes on along it.
+    if (edge < 0)
+      for_each_neighbour(piece.surface, vertex, [&](int h, int neighbour) {
+        if ((edge < 0 || depth[at(neighbour)] > depth[at(deepest)]) &&
+            can_go_on(piece, on_path, vertex, neighbour))
+          deepest = neighbour, edge = h;
+      });
     if (edge < 0) break;
     path.push_back(edge);
     on_path[at(vertex = deepest)] = 1;
