@@ -90,14 +90,12 @@ function(isostretch_add_library name)
   endif()
 endfunction()
 
-# For tests: what runs once is not worth minutes of optimising, least of all instrumented templates. At -O1, and with
-# precompiled headers, gcc 12 takes the insides of Eigen and std::string for faults of their users.
+# For tests: what runs once is not worth minutes of optimising, least of all instrumented templates.
 function(isostretch_compile_quickly target)
   if(ISOSTRETCH_SANITIZE)
     target_compile_options(${target} PRIVATE -O0 ${ISOSTRETCH_SANITIZE_BY_CALLS})
   elseif(CMAKE_BUILD_TYPE STREQUAL Release)
-    target_compile_options(${target} PRIVATE -O1 $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds
-      -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict>)
+    target_compile_options(${target} PRIVATE -O1 ${ISOSTRETCH_NO_FALSE_ALARMS})
   endif()
 endfunction()
 
