@@ -226,7 +226,7 @@ TEST_CASE("compare: a method that has no time is named with its reason") {
   // The optimum is polished from where it stopped, by the default.
   CHECK(problem["optimum"].get<double>() < method["energy"].get<double>());
   const std::string page = read_file(scratch.path("out/report.html"));
-  CHECK(page.find("<td>newton</td><td>stopped_time</td>") != std::string::npos);
+  CHECK(page.find("<td>newton</td><td>stopped time</td>") != std::string::npos);
   CHECK(page.find("nobody gets there") != std::string::npos);
 }
 
