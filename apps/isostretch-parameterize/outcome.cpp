@@ -55,7 +55,8 @@ std::vector<std::string> layout_warnings(const Result& r) {
   std::vector<std::string> warnings;
   const mesh::Overlap& overlap = r.layout.overlap;
   if (r.solution.has_vanished())
-    warnings.push_back("the layout has shrunk to a point: the energy falls as triangles shrink, without a least value");
+    warnings.push_back(
+        "the layout has shrunk to a point: the energy falls as triangles shrink, without a least value");
   else if (!overlap.triangles.empty()) {
     const std::size_t charts = charts_concerned(r.domain, overlap).size();
     warnings.push_back("the layout lies on itself: " + counted(overlap.triangles.size(), "triangle") +

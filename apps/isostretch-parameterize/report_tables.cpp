@@ -37,7 +37,8 @@ std::string model_facts(const Json& mesh, const Json& repairs) {
   // Lists of elements, of which the page has the number.
   for (const auto& [what, elements] : repairs.items())
     if (!elements.empty())
-      rows.push_back({"repaired: " + in_words(what), with_thousands(static_cast<long long>(elements.size()))});
+      rows.push_back(
+          {"repaired: " + in_words(what), with_thousands(static_cast<long long>(elements.size()))});
   return section("Model", rows);
 }
 
