@@ -166,7 +166,8 @@ std::string effort_table(const ProblemResult& problem) {
     const Run* run = entry.typical();
     if (run == nullptr) continue;
     const Spread seconds = total_seconds(entry);
-    rows.push_back({std::string(entry.info.name), in_words(run->status), number(of_summary(run, "iterations"), "%.0f"),
+    rows.push_back({std::string(entry.info.name), in_words(run->status),
+                    number(of_summary(run, "iterations"), "%.0f"),
                     number(of_summary(run, "factorizations"), "%.0f"), median_cell(seconds),
                     range_cell(seconds), number(problem.relative_error(run->energy()), "%.1e"),
                     number(of_summary(run, "flips"), "%.0f"), number(peak_megabytes(entry).median, "%.0f")});
