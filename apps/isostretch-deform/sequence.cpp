@@ -5,7 +5,7 @@
 #include "common/newton_report.hpp"
 #include "common/terminal.hpp"
 
-#include <isostretch/newton/minimize.hpp>
+#include <isostretch/newton/solver.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -48,6 +48,7 @@ Stepper::Stepper(const Scene& scene, const Body& body, const Rig& rig, Problem& 
       body_(body),
       rig_(rig),
       problem_(problem),
+      solver_(problem.objective(), scene.newton),
       guesser_(scene.guess, body, rig, std::move(warn)),
       strain_(body.elements),
       time_limit_(time_limit) {}
@@ -95,11 +96,11 @@ bool Stepper::solve_part(int frame, double time, Vector& positions, FrameResult&
   newton::Options options = scene_.newton;
   // What is left; a frame that has no time left still says so after its start.
   if (time_limit_ > 0) options.time_limit = std::max(time_limit_ - timer_.seconds(), 1e-9);
-  newton::Summary summary = newton::minimize(
-      problem_.objective(), positions, options, [&](const newton::Iteration& row, const Vector&) {
-        show_progress(formatted("frame %d of %d  ", frame, scene_.script.frames) + progress_line(row));
-        return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
-      });
+  solver_.set_options(options);
+  newton::Summary summary = solver_.solve(positions, [&](const newton::Iteration& row, const Vector&) {
+    show_progress(formatted("frame %d of %d  ", frame, scene_.script.frames) + progress_line(row));
+    return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
+  });
   if (summary.status == newton::Status::stopped_by_callback) summary.message = "interrupted (Ctrl-C)";
   const bool on = summary.converged() || summary.status == newton::Status::stopped_iterations;
   append(result.summary, std::move(summary), result.parts++ == 0);

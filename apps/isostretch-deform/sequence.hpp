@@ -4,7 +4,7 @@
 #include "problem.hpp"
 
 #include <isostretch/core/timer.hpp>
-#include <isostretch/newton/summary.hpp>
+#include <isostretch/newton/solver.hpp>
 
 #include <string>
 #include <vector>
@@ -43,6 +43,7 @@ class Stepper {
   const Body& body_;
   const Rig& rig_;
   Problem& problem_;
+  newton::Solver solver_;
   Guesser guesser_;
   Strain strain_;
   double time_limit_;

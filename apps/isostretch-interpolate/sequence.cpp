@@ -5,7 +5,7 @@
 #include "common/newton_report.hpp"
 #include "common/terminal.hpp"
 
-#include <isostretch/newton/minimize.hpp>
+#include <isostretch/newton/solver.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -20,6 +20,7 @@ Interpolator::Interpolator(const Options& options, const Poses& poses, const ene
     : options_(options),
       placement_(poses),
       energy_(poses, energy, placement_.loose_nodes()),
+      solver_(energy_.objective(), options.newton),
       guesser_(options.guess, placement_),
       before_(placement_.first()),
       diagonal_(poses.first.diagonal()) {}
@@ -65,11 +66,11 @@ newton::Summary Interpolator::minimize(Vector& positions) {
   newton::Options options = options_.newton;
   // What is left; a frame that has no time left still says so after its start.
   if (options.time_limit > 0) options.time_limit = std::max(options.time_limit - timer_.seconds(), 1e-9);
-  newton::Summary summary = newton::minimize(
-      energy_.objective(), positions, options, [&](const newton::Iteration& row, const Vector&) {
-        show_progress(formatted("frame %d of %d  ", number_, options_.frames) + progress_line(row));
-        return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
-      });
+  solver_.set_options(options);
+  newton::Summary summary = solver_.solve(positions, [&](const newton::Iteration& row, const Vector&) {
+    show_progress(formatted("frame %d of %d  ", number_, options_.frames) + progress_line(row));
+    return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
+  });
   clear_progress();
   if (summary.status == newton::Status::stopped_by_callback) summary.message = "interrupted (Ctrl-C)";
   log_debug(formatted("frame %d: ", number_) + summary.brief_report());

@@ -6,7 +6,7 @@
 #include "shape_energy.hpp"
 
 #include <isostretch/core/timer.hpp>
-#include <isostretch/newton/summary.hpp>
+#include <isostretch/newton/solver.hpp>
 
 #include <array>
 #include <string>
@@ -47,6 +47,7 @@ class Interpolator {
   const Options& options_;
   Placement placement_;
   ShapeEnergy energy_;
+  newton::Solver solver_;
   Guesser guesser_;
   Vector before_;  // the frame before, settled
   double diagonal_;

@@ -78,6 +78,7 @@ bool Objective::has_pins() const {
 
 const assembly::HessianPattern& Objective::pattern() {
   if (!pattern_) {
+    ++pattern_version_;
     assembly::PatternBuilder builder(node_count_);
     for (const auto& term : terms_) term->add_to(builder);
     for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)

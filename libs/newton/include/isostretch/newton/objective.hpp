@@ -50,6 +50,9 @@ class Objective {
   // The sparsity of the sum, made at the first use after a change of terms or pins.
   const assembly::HessianPattern& pattern();
 
+  /// Counts the patterns made so far: another number than before means another pattern.
+  int pattern_version() const { return pattern_version_; }
+
   // Sums over terms. The value is +infinity, with the first offending element, as soon as one term says so.
   Evaluation value(const Vector& x);
   // Gradient over all degrees of freedom (zero at pinned ones).
@@ -86,6 +89,7 @@ class Objective {
   std::vector<int>
       tied_to_;  // of every degree of freedom, the next one of a chain to its representative; or empty
   std::unique_ptr<assembly::HessianPattern> pattern_;
+  int pattern_version_ = 0;
   std::unique_ptr<TiedUnknowns> tied_;  // null without ties
 };
 

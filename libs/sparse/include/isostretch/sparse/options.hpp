@@ -39,6 +39,8 @@ struct Options {
   // multiplications than this, or fails. 0: 40 for amg, and by the work of the
   // factorization for stale_cholesky, 4 and more (README.md).
   int stale_max_iterations = 0;
+
+  friend bool operator==(const Options&, const Options&) = default;
 };
 
 // Names as on a command line: the enumerator's own. The inverse throws Error listing the names there are.

@@ -13,6 +13,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace isostretch::newton {
@@ -42,35 +43,57 @@ double strength_of(const projection::FilterOptions& filter) {
   return filter.filter == projection::Filter::bounded_abs ? 0.5 + 0.5 * filter.strength : filter.strength;
 }
 
-// One solve, from start to summary.
-class Minimizer {
- public:
-  Minimizer(Objective& objective, Vector& x, const Options& options, const IterationCallback& callback)
-      : objective_(objective),
-        x_(x),
-        options_(options),
-        callback_(callback),
-        policy_(options, objective.has_barrier()) {}
+}  // namespace
 
-  Summary run() {
-    if (!start()) return finish();
-    while (!stop_before_step() && take_step()) {
-    }
-    return finish();
+// What one solve leaves for the next.
+struct Solver::Kept {
+  Objective* objective = nullptr;
+  Options options;
+  std::unique_ptr<sparse::Solver> linear;
+  bool handed_in = false;
+  int analyzed_version = -1;  // of the objective's pattern
+  int analyses = 0;
+  sparse::SymmetricMatrix matrix;
+  std::vector<int> axes;  // of the unknowns
+
+  bool has_analysis() const {
+    return linear && analyzed_version == objective->pattern_version() &&
+           linear->statistics().backend != sparse::Backend::pcg;
   }
+};
+
+// One solve, from start to summary.
+class Solver::Solve {
+ public:
+  Solve(Kept& kept, Vector x, IterationCallback callback)
+      : kept_(kept),
+        objective_(*kept.objective),
+        options_(kept.options),
+        matrix_(kept.matrix),
+        x_(std::move(x)),
+        callback_(std::move(callback)),
+        policy_(options_, objective_.has_barrier()) {}
+
+  // Both return whether there is a step to come.
+  bool start() { return (set_up() && !stop_before_step()) || finish(); }
+  bool step() { return (take_step() && !stop_before_step()) || finish(); }
+
+  bool ended() const { return summary_.status != Status::not_run; }
+  const Vector& positions() const { return x_; }
+  const Summary& summary() const { return summary_; }
+  Vector take_positions() { return std::move(x_); }
+  Summary take_summary() { return std::move(summary_); }
 
  private:
-  bool start() {
+  bool set_up() {
     if (!x_.allFinite()) return end(Status::failed_start, "the start has positions that are not finite");
     {
       const ScopedTimer timer(summary_.seconds.setup);
-      matrix_ = objective_.zero_matrix();
-      if (matrix_.size > 0) {
-        solver_ = sparse::make_solver(options_.solver);
-        axes_ = objective_.axes();
+      objective_.pattern();
+      if (kept_.has_analysis())
         tell_positions();
-        solver_->analyze(matrix_);
-      }
+      else
+        analyze();
     }
     log(LogLevel::debug, [&] {
       return "newton: " + std::to_string(matrix_.size) + " unknowns, " +
@@ -91,8 +114,20 @@ class Minimizer {
     return record(row);
   }
 
+  void analyze() {
+    kept_.analyzed_version = -1;
+    matrix_ = objective_.zero_matrix();
+    if (matrix_.size == 0) return;
+    if (!kept_.linear) kept_.linear = sparse::make_solver(options_.solver);
+    kept_.axes = objective_.axes();
+    tell_positions();
+    kept_.linear->analyze(matrix_);
+    kept_.analyzed_version = objective_.pattern_version();
+    ++kept_.analyses;
+  }
+
   void tell_positions() {
-    solver_->set_coordinates(x_.data(), objective_.dim(), objective_.node_count(), axes_);
+    kept_.linear->set_coordinates(x_.data(), objective_.dim(), objective_.node_count(), kept_.axes);
   }
 
   // Energy, gradient and the Hessian as filter_ wants it, at x_.
@@ -210,7 +245,7 @@ class Minimizer {
         if (shift > 0)
           for (int j = 0; j < matrix_.size; ++j) diagonal_entry(j) += shift;
         tell_positions();
-        result = solver_->factorize(matrix_);
+        result = kept_.linear->factorize(matrix_);
       }
       ++row.factorizations;
       ++summary_.factorizations;
@@ -260,7 +295,7 @@ class Minimizer {
     // What the step promises decides whether it is the end: it must not be underestimated.
     if (confirm_scaled_ || options_.decrement_tolerance > 0) forcing = std::min(forcing, confirming);
     forced_norm_ = norm;
-    solver_->set_tolerance(std::max(forcing, options_.solver.pcg_tolerance));
+    kept_.linear->set_tolerance(std::max(forcing, options_.solver.pcg_tolerance));
   }
 
   // Newton direction over all degrees of freedom. An iterative solver notices only here that the matrix is
@@ -273,7 +308,7 @@ class Minimizer {
       sparse::SolveResult result;
       {
         const ScopedTimer timer(summary_.seconds.solve);
-        result = solver_->solve_columns(right.data(), solution.data(), 1);
+        result = kept_.linear->solve_columns(right.data(), solution.data(), 1);
       }
       solved_ = static_cast<bool>(result);
       if (result || result.status == sparse::SolveStatus::not_converged) break;
@@ -355,10 +390,11 @@ class Minimizer {
     return false;
   }
 
-  Summary finish() {
+  // Returns false, as there is no step to come.
+  bool finish() {
     summary_.seconds.total = timer_.seconds();
-    if (solver_) {
-      const sparse::Statistics& statistics = solver_->statistics();
+    if (matrix_.size > 0 && kept_.linear) {
+      const sparse::Statistics& statistics = kept_.linear->statistics();
       summary_.solver = std::string(sparse::backend_name(statistics.backend)) + " ";
       summary_.solver += statistics.backend == sparse::Backend::pcg
                              ? sparse::preconditioner_name(statistics.preconditioner)
@@ -367,21 +403,20 @@ class Minimizer {
     }
     log(LogLevel::debug,
         [&] { return "newton: " + summary_.brief_report() + ", solved with " + summary_.solver; });
-    return std::move(summary_);
+    return false;
   }
 
+  Kept& kept_;
   Objective& objective_;
-  Vector& x_;
   const Options& options_;
-  const IterationCallback& callback_;
+  sparse::SymmetricMatrix& matrix_;
+  Vector x_;
+  IterationCallback callback_;
   HessianPolicy policy_;
   Timer timer_;
   Summary summary_;
   projection::FilterOptions filter_;
-  sparse::SymmetricMatrix matrix_;
-  std::unique_ptr<sparse::Solver> solver_;
   Vector gradient_, reduced_, direction_, trial_, previous_;
-  std::vector<int> axes_;   // of the unknowns
   double forced_norm_ = 0;  // |gradient| at the last inexact solve
   double typical_stiffness_ = 0;
   bool exact_model_ = false;  // the Hessian last factorised was neither filtered nor shifted
@@ -395,16 +430,83 @@ class Minimizer {
   std::string derivatives_fault_;  // why derivatives at x_ cannot be used; empty: they can
 };
 
-}  // namespace
-
-Summary minimize(Objective& objective, Vector& x, const Options& options, const IterationCallback& callback) {
+Solver::Solver(Objective& objective, const Options& options, std::unique_ptr<sparse::Solver> linear_solver)
+    : kept_(std::make_unique<Kept>()) {
   options.validate();
+  kept_->objective = &objective;
+  kept_->options = options;
+  kept_->handed_in = linear_solver != nullptr;
+  kept_->linear = std::move(linear_solver);
+}
+
+Solver::~Solver() = default;
+Solver::Solver(Solver&&) noexcept = default;
+Solver& Solver::operator=(Solver&&) noexcept = default;
+
+void Solver::require_startable(const Vector& x) const {
+  const Objective& objective = *kept_->objective;
   if (x.size() != objective.dofs())
     throw Error("start of " + std::to_string(x.size()) + " entries for " + std::to_string(objective.dofs()) +
                 " degrees of freedom");
   if (!objective.has_terms()) throw Error("the objective has no terms: there is nothing to minimize");
   objective.require_tied(x);
-  return Minimizer(objective, x, options, callback).run();
+}
+
+Summary Solver::solve(Vector& x, const IterationCallback& callback) {
+  require_startable(x);
+  current_.reset();
+  Solve solve(*kept_, std::move(x), callback);
+  struct GiveBack {
+    Solve& solve;
+    Vector& x;
+    ~GiveBack() { x = solve.take_positions(); }  // also when a callback or a term throws
+  } const give_back{solve, x};
+  if (solve.start())
+    while (solve.step()) continue;
+  return solve.take_summary();
+}
+
+bool Solver::start(Vector x) {
+  require_startable(x);
+  current_ = std::make_unique<Solve>(*kept_, std::move(x), IterationCallback());
+  return current_->start();
+}
+
+bool Solver::step() {
+  if (!current_) throw Error("newton: step() before start()");
+  return !current_->ended() && current_->step();
+}
+
+const Vector& Solver::positions() const {
+  if (!current_) throw Error("newton: positions() before start()");
+  return current_->positions();
+}
+
+const Summary& Solver::summary() const {
+  if (!current_) throw Error("newton: summary() before start()");
+  return current_->summary();
+}
+
+void Solver::set_options(const Options& options) {
+  options.validate();
+  current_.reset();
+  if (!kept_->handed_in && options.solver != kept_->options.solver) {
+    kept_->linear.reset();
+    kept_->analyzed_version = -1;
+  }
+  kept_->options = options;
+}
+
+const Options& Solver::options() const {
+  return kept_->options;
+}
+
+int Solver::analyses() const {
+  return kept_->analyses;
+}
+
+Summary minimize(Objective& objective, Vector& x, const Options& options, const IterationCallback& callback) {
+  return Solver(objective, options).solve(x, callback);
 }
 
 }  // namespace isostretch::newton
