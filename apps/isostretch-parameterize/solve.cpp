@@ -142,7 +142,10 @@ class Solver {
     const bool within = is_within_bound();
     go_back_to(std::move(before));
     cut_until_within_bound(false);
-    if (is_within_bound() == within ? length < seam_length() : within) go_back_to(std::move(with_parts));
+    const bool parts_pay = is_within_bound() == within ? length < seam_length() : within;
+    log_debug(formatted("cut of %zu charts: %.4g, of %zu charts: %.4g", with_parts.start.charts.size(),
+                        length, start_.charts.size(), seam_length()));
+    if (parts_pay) go_back_to(std::move(with_parts));
   }
 
   // From vertices inside charts whose triangles are distorted most to the boundary, again and again; or
@@ -207,19 +210,21 @@ class Solver {
     for (const std::vector<int>& path : mesh::spurs(domain_.cut)) {
       if (!may_go_on()) return;
       State before = state();
-      const int chart = sew(domain_, path, solution_.uv);
-      start_.charts = make_charts(domain_, start_);
-      for (std::size_t c = 0; c < start_.charts.size(); ++c)
-        start_.charts[c].method = before.start.charts[c].method;
-      const mesh::Points2 own = start_.charts[static_cast<std::size_t>(chart)].gather(solution_.uv);
-      const bool can_start =
-          mesh::count_flipped(own, start_.charts[static_cast<std::size_t>(chart)].mesh.triangles) == 0;
-      if (can_start) solve_chart(chart, Care::full, false);
-      if (can_start && solution_.runs.back().summary.converged() &&
-          worst_distortion(solution_.stretches) <= bound)
-        continue;
-      go_back_to(std::move(before));
+      if (!solve_sewn(path) || worst_distortion(solution_.stretches) > bound) go_back_to(std::move(before));
     }
+  }
+
+  // Returns whether that went well. Where both sides are far apart their middle is no start.
+  bool solve_sewn(const std::vector<int>& path) {
+    const std::vector<Chart> before = start_.charts;
+    const int number = sew(domain_, path, solution_.uv);
+    start_.charts = make_charts(domain_, start_);
+    if (start_.charts.size() != before.size()) return false;
+    for (std::size_t c = 0; c < before.size(); ++c) start_.charts[c].method = before[c].method;
+    const Chart& chart = start_.charts[static_cast<std::size_t>(number)];
+    if (mesh::count_flipped(chart.gather(solution_.uv), chart.mesh.triangles) > 0) return false;
+    solve_chart(number, Care::full, false);
+    return solution_.runs.back().summary.converged();
   }
 
   bool reaches_tips() const {
