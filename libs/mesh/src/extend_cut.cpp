@@ -101,14 +101,6 @@ std::vector<int> path_to_boundary(const Piece& piece, const std::vector<int>& or
   return path;
 }
 
-// Inside the surface and beside no vertex of the path but the one it would go on from.
-bool can_go_on(const Piece& piece, const std::vector<char>& on_path, int from, int to) {
-  bool free = !on_path[at(to)] && !piece.surface.boundary_vertex(to);
-  for_each_neighbour(piece.surface, to,
-                     [&](int, int beside) { free = free && (beside == from || !on_path[at(beside)]); });
-  return free;
-}
-
 // The path, and beyond the vertex, away from the boundary, what it takes to be long enough.
 std::vector<int> branch(const Piece& piece, const std::vector<int>& original, int vertex) {
   std::vector<int> path = path_to_boundary(piece, original, vertex);
@@ -124,13 +116,6 @@ std::vector<int> branch(const Piece& piece, const std::vector<int>& original, in
     for_each_neighbour(piece.surface, vertex, [&](int h, int neighbour) {
       if (!on_path[at(neighbour)] && depth[at(neighbour)] > depth[at(deepest)]) deepest = neighbour, edge = h;
     });
-    // From a ridge it goes on along it.
-    if (edge < 0)
-      for_each_neighbour(piece.surface, vertex, [&](int h, int neighbour) {
-        if ((edge < 0 || depth[at(neighbour)] > depth[at(deepest)]) &&
-            can_go_on(piece, on_path, vertex, neighbour))
-          deepest = neighbour, edge = h;
-      });
     if (edge < 0) break;
     path.push_back(edge);
     on_path[at(vertex = deepest)] = 1;
