@@ -2,8 +2,6 @@
 
 #include <isostretch/mesh/boundary.hpp>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -198,31 +196,22 @@ std::vector<int> distorted_around(const Domain& domain, const Stars& stars,
   return place;
 }
 
-double area_of(const Domain& domain, const std::vector<int>& triangles) {
-  double doubled = 0;
-  for (const int t : triangles) {
-    const auto corner = [&](int c) -> Eigen::RowVector3d {
-      return domain.open().vertices.row(domain.open().triangles(t, c));
-    };
-    doubled += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-  }
-  return doubled / 2;
-}
-
 }  // namespace
 
 std::vector<int> part_to_cut_off(const Domain& domain, const std::vector<double>& stretches, double bound) {
   constexpr double scrap = 0.01;  // of the whole area
+  const std::vector<int> vertices = worst_vertices(domain, stretches, bound);
+  if (vertices.empty()) return {};
   const Stars stars(domain.open().triangles, domain.open().vertices.rows());
   const std::vector<double> way = mesh::distance_to_boundary(domain.open());
   const mesh::Encloser encloser(domain.cut);
   // A loop around the worst of the place is shorter than one around all of it.
   const double worse = std::sqrt(bound * std::min(worst_distortion(stretches), bound * bound * bound));
-  for (const int vertex : worst_vertices(domain, stretches, bound))
+  for (const int vertex : vertices)
     for (const double above : {worse, bound}) {
       const std::vector<int> place = distorted_around(domain, stars, stretches, above, vertex);
-      std::vector<int> part = encloser.enclose(place, way[static_cast<std::size_t>(vertex)]).triangles;
-      if (area_of(domain, part) >= scrap * area_of(domain)) return part;
+      mesh::Enclosure part = encloser.enclose(place, way[static_cast<std::size_t>(vertex)]);
+      if (!part.triangles.empty() && part.area >= scrap * area_of(domain)) return std::move(part.triangles);
     }
   return {};
 }

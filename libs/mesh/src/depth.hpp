@@ -22,11 +22,6 @@ struct Stretch {
 // more. That takes memory for what lies under fewer, however many triangles there are.
 class Depth {
  public:
-  struct Change {
-    Mark where;
-    double by = 0;
-  };
-
   explicit Depth(const Stretch& whole);
 
   // `count` triangles lie over a part of the segment.
@@ -52,6 +47,11 @@ class Depth {
   }
 
  private:
+  struct Change {
+    Mark where;
+    double by = 0;
+  };
+
   void find_open();
 
   Stretch whole_;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -108,6 +109,7 @@ void measure_charts(Cut& cut) {
   for (const auto& [where, size] : seam) cut.charts[at(where.first)].seam_length += size;
 }
 
+// One way to take charts apart, and what it leaves.
 struct Divided {
   Cut cut;
   Division division;
@@ -141,17 +143,18 @@ Division split_overlap(Cut& cut, const Points2& uv) {
   if (uv.rows() != cut.mesh.vertices.rows())
     throw Error("split_overlap: " + std::to_string(uv.rows()) + " points for " +
                 std::to_string(cut.mesh.vertices.rows()) + " vertices");
+  const Partners partners = overlap_partners(cut, uv);
   const std::size_t before = spurs(cut).size();
-  Divided best;
+  std::optional<Divided> best;
   for (const int spur_detour : {1, 2, 4, 8}) {
     Divided now{cut, {}, 0};
-    now.division = divide_charts(now.cut, parts_without_overlap(cut, uv, spur_detour));
+    now.division = divide_charts(now.cut, parts_without_overlap(cut, uv, partners, spur_detour));
     now.spurs = spurs(now.cut).size();
-    if (best.cut.chart.empty() || now.spurs < best.spurs) best = std::move(now);
-    if (best.spurs <= before) break;
+    if (!best || now.spurs < best->spurs) best = std::move(now);
+    if (best->spurs <= before) break;
   }
-  cut = std::move(best.cut);
-  return std::move(best.division);
+  cut = std::move(best->cut);
+  return std::move(best->division);
 }
 
 }  // namespace isostretch::mesh

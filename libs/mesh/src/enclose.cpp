@@ -1,4 +1,5 @@
 #include "index.hpp"
+#include "measure.hpp"
 #include "minimum_cut.hpp"
 #include "triangle_graph.hpp"
 
@@ -50,9 +51,14 @@ Enclosure Encloser::enclose(const std::vector<int>& triangles, double limit) con
   const double most = limit / graph.unit;
   const std::vector<char> inside = minimum_cut(
       graph, mark, most < 9e18 ? static_cast<long long>(most) : std::numeric_limits<long long>::max());
+  if (std::find(mark.begin(), mark.end(), 2) == mark.end()) return {};  // a chart without a boundary
   Enclosure found;
   for (std::size_t h = 0; h < 3 * inside.size(); ++h) {
-    if (h % 3 == 0 && inside[h / 3]) found.triangles.push_back(static_cast<int>(h / 3));
+    if (h % 3 == 0 && inside[h / 3]) {
+      found.triangles.push_back(static_cast<int>(h / 3));
+      found.area +=
+          triangle_shape(cut_.mesh.vertices, cut_.mesh.triangles.row(found.triangles.back())).area();
+    }
     const int opposite = graph.opposite[h];
     if (inside[h / 3] && opposite >= 0 && !inside[at(opposite) / 3])
       found.length += static_cast<double>(graph.capacity[h]) * graph.unit;

@@ -46,10 +46,14 @@ bool same_direction(const Segment& a, const Segment& b) {
   return (a.to[0] - a.from[0]) * (b.to[0] - b.from[0]) + (a.to[1] - a.from[1]) * (b.to[1] - b.from[1]) > 0;
 }
 
+Stretch whole(const Segment& s) {
+  return {{0, s.from}, {1, s.to}};
+}
+
 // What part of the segment lies under the triangle. An edge that runs along one of the triangle's lies under
 // it or not, whichever is asked for: of edges that coincide each is then under those before it.
 std::optional<Stretch> stretch_under(const PlaneTriangle& triangle, const Segment& s, bool when_along) {
-  Stretch under{{0, s.from}, {1, s.to}};
+  Stretch under = whole(s);
   for (std::size_t e = 0; e < 3; ++e) {
     const Segment line = edge(triangle, e);
     const double from = doubled_area(line.from, line.to, s.from), to = doubled_area(line.from, line.to, s.to);
@@ -96,11 +100,11 @@ class Neighbours {
   BoxTree tree_;
 };
 
-// Both halves of an edge. Where triangles lie on each other that are almost equal, the ends of edges stick
-// out: whatever lies over the middle of an edge need not be looked at for both.
+// Where almost equal triangles lie on each other, both ends of an edge stick out and its middle does not: a
+// box around one end is small, a box around both is that of the edge.
 std::array<Stretch, 2> halves(const Segment& s) {
-  const Mark begin{0, s.from}, end{1, s.to},
-      middle{0.5, {0.5 * (s.from[0] + s.to[0]), 0.5 * (s.from[1] + s.to[1])}};
+  const auto [begin, end] = whole(s);
+  const Mark middle{0.5, {0.5 * (s.from[0] + s.to[0]), 0.5 * (s.from[1] + s.to[1])}};
   return {Stretch{begin, middle}, Stretch{middle, end}};
 }
 
@@ -129,28 +133,40 @@ class Measure {
       return;
     }
     overlap.triangles.insert(overlap.triangles.end(), triangle.copies.begin(), triangle.copies.end());
-    for (std::size_t e = 0; e < 3; ++e)
-      for (const Stretch& half : halves(edge(triangle, e)))
-        integrate(depth_of(i, edge(triangle, e), half, few), triangle.copy_count(), overlap);
+    for (std::size_t e = 0; e < 3; ++e) {
+      const Segment s = edge(triangle, e);
+      if (few.size() <= many)
+        integrate(under_few(i, s, few), triangle.copy_count(), overlap);
+      else
+        for (const Stretch& half : halves(s))
+          integrate(under_many(i, s, half), triangle.copy_count(), overlap);
+    }
   }
 
  private:
   static constexpr std::size_t many = 32;
 
-  // `few` has all that overlap, unless there are many.
-  Depth depth_of(int i, const Segment& s, const Stretch& half, const std::vector<int>& few) const {
-    Depth depth(half);
-    const auto add = [&](int j) {
-      const PlaneTriangle& above = triangles_[at(j)];
-      if (const auto under = stretch_under(above, s, j < i)) depth.add(*under, above.copy_count());
-      return true;
-    };
-    if (few.size() <= many)
-      std::for_each(few.begin(), few.end(), add);
-    else
-      neighbours_.visit(i, depth.open(), add);
+  Depth under_few(int i, const Segment& s, const std::vector<int>& others) const {
+    Depth depth(whole(s));
+    for (const int j : others) add_under(i, s, j, depth);
     depth.join();
     return depth;
+  }
+
+  // Looks for them where that still matters.
+  Depth under_many(int i, const Segment& s, const Stretch& half) const {
+    Depth depth(half);
+    neighbours_.visit(i, depth.open(), [&](int j) {
+      add_under(i, s, j, depth);
+      return true;
+    });
+    depth.join();
+    return depth;
+  }
+
+  void add_under(int i, const Segment& s, int j, Depth& depth) const {
+    const PlaneTriangle& above = triangles_[at(j)];
+    if (const auto under = stretch_under(above, s, j < i)) depth.add(*under, above.copy_count());
   }
 
   void integrate(const Depth& under, double copies, Overlap& overlap) const {

@@ -19,36 +19,25 @@
 namespace isostretch::mesh {
 namespace {
 
-// Pairs of triangles of one group that overlap.
-std::vector<std::vector<int>> partners(const SurfaceMesh& mesh, const std::vector<int>& group,
-                                       const Points2& uv) {
-  std::map<int, std::vector<int>> members;
-  for (std::size_t t = 0; t < group.size(); ++t) members[group[t]].push_back(static_cast<int>(t));
-  std::vector<std::vector<int>> others(group.size());
-  for (const auto& [number, triangles] : members) {
-    Triangles own(static_cast<Eigen::Index>(triangles.size()), 3);
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-      own.row(static_cast<Eigen::Index>(i)) = mesh.triangles.row(triangles[i]);
-    for (const auto& [i, j] : overlapping_pairs(uv, own)) {
-      others[at(triangles[at(i)])].push_back(triangles[at(j)]);
-      others[at(triangles[at(j)])].push_back(triangles[at(i)]);
-    }
-  }
-  return others;
+// Counted from 0 in the order of their first triangles.
+std::vector<int> numbered(const std::vector<int>& labels) {
+  std::map<int, int> number;
+  std::vector<int> parts;
+  for (const int part : labels)
+    parts.push_back(number.emplace(part, static_cast<int>(number.size())).first->second);
+  return parts;
 }
 
 class Divider {
  public:
-  Divider(const Cut& cut, const Points2& uv, int spur_detour)
+  Divider(const Cut& cut, const Points2& uv, const Partners& others, int spur_detour)
       : triangles_(cut.mesh.triangles),
         uv_(uv),
         graph_(triangle_graph(cut, spur_detour)),
-        others_(partners(cut.mesh, cut.chart, uv)),
+        others_(others),
         part_(cut.chart.size(), -1) {}
 
-  std::vector<int> divide(const std::vector<int>& group) {
-    if (std::all_of(others_.begin(), others_.end(), [](const auto& others) { return others.empty(); }))
-      return numbered(group);
+  std::vector<int> divide() {
     std::vector<int> all(part_.size());
     for (std::size_t t = 0; t < all.size(); ++t) all[t] = static_cast<int>(t);
     separate(all);
@@ -228,27 +217,37 @@ class Divider {
     }
   }
 
-  static std::vector<int> numbered(const std::vector<int>& labels) {
-    std::map<int, int> number;
-    std::vector<int> parts;
-    for (const int part : labels)
-      parts.push_back(number.emplace(part, static_cast<int>(number.size())).first->second);
-    return parts;
-  }
-
   const Triangles& triangles_;
   const Points2& uv_;
   TriangleGraph graph_;
-  std::vector<std::vector<int>> others_;
+  const Partners& others_;
   std::vector<int> part_;
   std::vector<std::vector<int>> members_;  // of every part; none of what was divided
 };
 
 }  // namespace
 
-std::vector<int> parts_without_overlap(const Cut& cut, const Points2& uv, int spur_detour) {
-  if (cut.chart.empty()) return {};
-  return Divider(cut, uv, spur_detour).divide(cut.chart);
+Partners overlap_partners(const Cut& cut, const Points2& uv) {
+  std::map<int, std::vector<int>> members;
+  for (std::size_t t = 0; t < cut.chart.size(); ++t) members[cut.chart[t]].push_back(static_cast<int>(t));
+  Partners partners(cut.chart.size());
+  for (const auto& [chart, triangles] : members) {
+    Triangles own(static_cast<Eigen::Index>(triangles.size()), 3);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      own.row(static_cast<Eigen::Index>(i)) = cut.mesh.triangles.row(triangles[i]);
+    for (const auto& [i, j] : overlapping_pairs(uv, own)) {
+      partners[at(triangles[at(i)])].push_back(triangles[at(j)]);
+      partners[at(triangles[at(j)])].push_back(triangles[at(i)]);
+    }
+  }
+  return partners;
+}
+
+std::vector<int> parts_without_overlap(const Cut& cut, const Points2& uv, const Partners& partners,
+                                       int spur_detour) {
+  if (std::all_of(partners.begin(), partners.end(), [](const auto& others) { return others.empty(); }))
+    return numbered(cut.chart);
+  return Divider(cut, uv, partners, spur_detour).divide();
 }
 
 }  // namespace isostretch::mesh

@@ -13,6 +13,8 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -619,6 +621,17 @@ TEST_CASE("enclose: the cap of a mushroom by the narrowest ring of its stem") {
   const Enclosure found = encloser.enclose(cap, 100);
   CHECK(found.length == doctest::Approx(ring).epsilon(1e-7));
   CHECK(found.triangles == above);
+  double area = 0;
+  for (const int i : above) {
+    const auto p = [&](int c) -> Eigen::RowVector3d {
+      return mushroom.vertices.row(mushroom.triangles(i, c));
+    };
+    area += (p(1) - p(0)).cross(p(2) - p(0)).norm() / 2;
+  }
+  CHECK(found.area == doctest::Approx(area));
+  const SurfaceMesh closed = icosphere(1);
+  const Cut whole{closed, {}, std::vector<int>(static_cast<std::size_t>(closed.triangles.rows()), 0), {}, {}};
+  CHECK(Encloser(whole).enclose({0}, 100).triangles.empty());  // no boundary
   CHECK(encloser.enclose(cap, 0.99 * ring).triangles.empty());
   CHECK(encloser.enclose(cap, 1.01 * ring).triangles == above);
   CHECK(encloser.enclose({t - 1}, 100).triangles == above);    // its own sides are longer

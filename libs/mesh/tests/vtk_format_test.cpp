@@ -60,6 +60,14 @@ TEST_CASE("VTK: texture coordinates of points, in text and binary, whatever stan
     without.read_uv = false;
     CHECK(parse_vtk_surface(head + text, "m.vtk", without).uv.rows() == 0);
   }
+  // Those of cells are none of points, wherever they stand.
+  const std::string cells = "CELL_DATA 1\nTEXTURE_COORDINATES c 2 float\n7 7\n",
+                    faces = "DATASET POLYDATA\n" + points + "POLYGONS 1 5\n4 0 1 2 3\n",
+                    own = "point_data 4\ntexture_coordinates uv 2 float\n0 0 0.5 0 0.5 1 0 1\n";
+  CHECK(parse_vtk_surface(head + faces + cells, "m.vtk").uv.rows() == 0);
+  CHECK(parse_vtk_surface(head + faces + "POINT_DATA 4\n" + cells, "m.vtk").uv.rows() == 0);
+  CHECK(parse_vtk_surface(head + faces + cells + own, "m.vtk").uv == expected);
+  CHECK(parse_vtk_surface(head + faces + own + cells, "m.vtk").uv == expected);
   Contents file(std::endian::big);
   file.text(vtk_header(true) + "DATASET POLYDATA\nPOINTS 3 float\n");
   for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) file.bytes(number);

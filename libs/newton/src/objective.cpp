@@ -25,7 +25,12 @@ void Objective::add_term(std::unique_ptr<Term> term) {
   if (!term) throw Error("objective: a term that is null");
   term->require_fits(dim_, node_count_);
   terms_.push_back(std::move(term));
+  changed();
+}
+
+void Objective::changed() {
   pattern_.reset();
+  ++version_;
 }
 
 void Objective::require_node(int node) const {
@@ -42,7 +47,7 @@ void Objective::pin(int node, int axis) {
   if (axis < 0 || axis >= dim_)
     throw Error("cannot pin axis " + std::to_string(axis) + " of node " + std::to_string(node));
   pinned_[static_cast<std::size_t>(node * dim_ + axis)] = true;
-  pattern_.reset();
+  changed();
 }
 
 int Objective::representative(int dof) const {
@@ -61,7 +66,7 @@ void Objective::tie(int node, int other, int axis) {
   }
   const int a = representative(node * dim_ + axis), b = representative(other * dim_ + axis);
   tied_to_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-  pattern_.reset();
+  changed();
 }
 
 void Objective::require_tied(const Vector& x) const {
@@ -78,7 +83,6 @@ bool Objective::has_pins() const {
 
 const assembly::HessianPattern& Objective::pattern() {
   if (!pattern_) {
-    ++pattern_version_;
     assembly::PatternBuilder builder(node_count_);
     for (const auto& term : terms_) term->add_to(builder);
     for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)

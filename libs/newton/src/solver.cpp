@@ -6,6 +6,7 @@
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/newton/line_search.hpp>
 #include <isostretch/newton/minimize.hpp>
+#include <isostretch/newton/positions.hpp>
 #include <isostretch/sparse/solver.hpp>
 
 #include <algorithm>
@@ -26,16 +27,6 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double bounding_box_diagonal(const Vector& x, int dim) {
-  double squared = 0;
-  for (int axis = 0; axis < dim; ++axis) {
-    const auto coordinates = x(Eigen::seqN(axis, x.size() / dim, dim));
-    const double extent = coordinates.maxCoeff() - coordinates.minCoeff();
-    squared += extent * extent;
-  }
-  return std::sqrt(squared);
-}
-
 // On the line from the exact Hessian (0) by clamping (1/2) to absolute values (1).
 double strength_of(const projection::FilterOptions& filter) {
   if (filter.filter == projection::Filter::none) return 0.0;
@@ -51,13 +42,13 @@ struct Solver::Kept {
   Options options;
   std::unique_ptr<sparse::Solver> linear;
   bool handed_in = false;
-  int analyzed_version = -1;  // of the objective's pattern
+  int analyzed_version = -1;  // of the objective
   int analyses = 0;
   sparse::SymmetricMatrix matrix;
   std::vector<int> axes;  // of the unknowns
 
   bool has_analysis() const {
-    return linear && analyzed_version == objective->pattern_version() &&
+    return linear && analyzed_version == objective->version() &&
            linear->statistics().backend != sparse::Backend::pcg;
   }
 };
@@ -76,7 +67,11 @@ class Solver::Solve {
 
   // Both return whether there is a step to come.
   bool start() { return (set_up() && !stop_before_step()) || finish(); }
-  bool step() { return (take_step() && !stop_before_step()) || finish(); }
+  bool step() {
+    if (objective_.version() != version_)
+      throw Error("newton: terms, pins or ties were added to the objective during a solve");
+    return (take_step() && !stop_before_step()) || finish();
+  }
 
   bool ended() const { return summary_.status != Status::not_run; }
   const Vector& positions() const { return x_; }
@@ -89,7 +84,7 @@ class Solver::Solve {
     if (!x_.allFinite()) return end(Status::failed_start, "the start has positions that are not finite");
     {
       const ScopedTimer timer(summary_.seconds.setup);
-      objective_.pattern();
+      version_ = objective_.version();
       if (kept_.has_analysis())
         tell_positions();
       else
@@ -121,8 +116,7 @@ class Solver::Solve {
     if (!kept_.linear) kept_.linear = sparse::make_solver(options_.solver);
     kept_.axes = objective_.axes();
     tell_positions();
-    kept_.linear->analyze(matrix_);
-    kept_.analyzed_version = objective_.pattern_version();
+    if (kept_.linear->analyze(matrix_)) kept_.analyzed_version = version_;
     ++kept_.analyses;
   }
 
@@ -225,9 +219,7 @@ class Solver::Solve {
 
   // Energy of moving every node to and fro in its last digits.
   double rounding_of_positions() const {
-    constexpr double last_digits = 4e-15, epsilon = 2.2e-16;
-    const double length =
-        last_digits * bounding_box_diagonal(x_, objective_.dim()) + epsilon * x_.cwiseAbs().maxCoeff();
+    const double length = rounding_length(x_, objective_.dim());
     return matrix_.size * typical_stiffness_ * length * length;
   }
 
@@ -412,6 +404,7 @@ class Solver::Solve {
   sparse::SymmetricMatrix& matrix_;
   Vector x_;
   IterationCallback callback_;
+  int version_ = 0;  // of the objective, at the start
   HessianPolicy policy_;
   Timer timer_;
   Summary summary_;

@@ -195,3 +195,20 @@ TEST_CASE(
   newton::minimize(other, expected);
   CHECK(x == expected);
 }
+
+TEST_CASE("solver: an objective that changes during a solve is refused, not written beyond") {
+  const Face face;
+  newton::Objective objective = face.objective();
+  newton::Solver solver(objective);
+  REQUIRE(solver.start(face.start));
+  objective.pin(0);
+  CHECK_THROWS_WITH_AS(solver.step(), doctest::Contains("added to the objective during a solve"), Error);
+  Vector x = face.start;
+  CHECK_THROWS_WITH_AS(solver.solve(x,
+                                    [&](const newton::Iteration&, const Vector&) {
+                                      objective.tie(1, 2, 0);
+                                      return newton::CallbackAction::proceed;
+                                    }),
+                       doctest::Contains("during a solve"), Error);
+  CHECK(x == face.start);
+}

@@ -5,6 +5,7 @@
 #include "stagnation.hpp"
 
 #include <isostretch/core/timer.hpp>
+#include <isostretch/newton/positions.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,16 +16,6 @@ namespace isostretch::baselines {
 namespace {
 
 using newton::Status;
-
-double bounding_box_diagonal(const Vector& x, int dim) {
-  double squared = 0;
-  for (int axis = 0; axis < dim; ++axis) {
-    const auto coordinates = x(Eigen::seqN(axis, x.size() / dim, dim));
-    const double extent = coordinates.maxCoeff() - coordinates.minCoeff();
-    squared += extent * extent;
-  }
-  return std::sqrt(squared);
-}
 
 }  // namespace
 
@@ -59,9 +50,8 @@ void SharedPieces::solve(const Vector& right, Vector& direction) {
 }
 
 double SharedPieces::noise(const Iterate& at) const {
-  constexpr double relative = 2e-14, last_digits = 4e-15, epsilon = 2.2e-16;
-  const double length =
-      last_digits * bounding_box_diagonal(at.x, problem_.elements.dim) + epsilon * at.x.cwiseAbs().maxCoeff();
+  constexpr double relative = 2e-14;
+  const double length = newton::rounding_length(at.x, problem_.elements.dim);
   return std::max(relative * std::abs(at.energy),
                   metric_->unknowns() * stiffness_ * metric_->typical_stiffness() * length * length);
 }

@@ -63,6 +63,7 @@ class VtkReader {
   // false: the geometry ends, with the file or where data of points and cells begin.
   bool statement() {
     const std::string keyword = lower(source_.word());
+    data_start_ = source_.place().position;
     if (keyword.empty() || keyword == "point_data" || keyword == "cell_data") return false;
     if (keyword == "points")
       points();
@@ -85,12 +86,34 @@ class VtkReader {
     return true;
   }
 
+  // A line that begins with the keyword, in capitals or not.
+  std::size_t find_line(std::string_view keyword, std::size_t from) const {
+    const std::string_view contents = source_.contents();
+    const auto equal = [](char a, char b) { return lower(std::string_view(&a, 1))[0] == b; };
+    for (;;) {
+      const auto found = std::search(contents.begin() + static_cast<std::ptrdiff_t>(from), contents.end(),
+                                     keyword.begin(), keyword.end(), equal);
+      if (found == contents.end()) return std::string_view::npos;
+      const auto position = static_cast<std::size_t>(found - contents.begin());
+      if (position > 0 && (contents[position - 1] == '\n' || contents[position - 1] == '\r')) return position;
+      from = position + 1;
+    }
+  }
+
+  // Of points, and not of cells.
+  std::size_t find_uv() const {
+    const std::size_t points = find_line("point_data ", data_start_),
+                      cells = find_line("cell_data ", data_start_);
+    if (points == std::string_view::npos) return points;
+    const std::size_t found = find_line("texture_coordinates ", points);
+    return points < cells && cells < found ? std::string_view::npos : found;
+  }
+
   // Of what else is said of points there are many kinds, which need not be known: the line is looked for.
   std::vector<double> uv() {
-    const std::string_view contents = source_.contents();
-    const std::size_t found = contents.find("\nTEXTURE_COORDINATES ", source_.position());
-    if (found == std::string_view::npos) return {};
-    source_.seek(found);
+    const std::size_t start = find_uv();
+    if (start == std::string_view::npos) return {};
+    source_.seek(start);
     source_.word();
     source_.word();  // their name
     const int each = source_.text_count("number of texture coordinates a point", 1);
@@ -307,6 +330,7 @@ class VtkReader {
   std::vector<std::int64_t> types_;
   std::size_t grid_start_ = 0;
   bool wants_uv_;
+  std::size_t data_start_ = 0;  // behind the geometry
 };
 
 }  // namespace

@@ -88,6 +88,7 @@ std::vector<std::vector<int>> spurs(const Cut& cut);
 struct Enclosure {
   std::vector<int> triangles;  ///< inside, ascending; none where there is no such loop
   double length = 0;           ///< of the loop
+  double area = 0;             ///< inside
 };
 
 /// Finds the shortest loops of edges around triangles of a cut mesh, which must stay as it is meanwhile.

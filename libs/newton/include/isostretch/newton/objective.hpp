@@ -50,8 +50,8 @@ class Objective {
   // The sparsity of the sum, made at the first use after a change of terms or pins.
   const assembly::HessianPattern& pattern();
 
-  /// Counts the patterns made so far: another number than before means another pattern.
-  int pattern_version() const { return pattern_version_; }
+  /// Counts the terms, pins and ties added: another number than before means another pattern.
+  int version() const { return version_; }
 
   // Sums over terms. The value is +infinity, with the first offending element, as soon as one term says so.
   Evaluation value(const Vector& x);
@@ -79,6 +79,7 @@ class Objective {
   bool has_barrier() const;
 
  private:
+  void changed();
   void require_node(int node) const;
   int representative(int dof) const;
 
@@ -89,7 +90,7 @@ class Objective {
   std::vector<int>
       tied_to_;  // of every degree of freedom, the next one of a chain to its representative; or empty
   std::unique_ptr<assembly::HessianPattern> pattern_;
-  int pattern_version_ = 0;
+  int version_ = 0;
   std::unique_ptr<TiedUnknowns> tied_;  // null without ties
 };
 

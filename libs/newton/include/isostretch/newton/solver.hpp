@@ -26,8 +26,9 @@ using IterationCallback = std::function<CallbackAction(const Iteration&, const V
 /// not depend on those before it. One solver is used by one thread at a time.
 class Solver {
  public:
-  /// The objective must outlive the solver, and may change between solves. A linear solver that is handed in
-  /// takes the place of the one that `options.solver` describes. Throws Error for options that make no sense.
+  /// The objective must outlive the solver, and may change between solves, not during one. A linear solver
+  /// that is handed in takes the place of the one that `options.solver` describes. Throws Error for options
+  /// that make no sense.
   explicit Solver(Objective& objective, const Options& options = {},
                   std::unique_ptr<sparse::Solver> linear_solver = nullptr);
   ~Solver();
@@ -43,7 +44,7 @@ class Solver {
   /// take.
   bool start(Vector x);
   /// Takes one iteration. Returns whether another one is to come: false once summary() has a status other
-  /// than not_run. Throws Error before start().
+  /// than not_run. Throws Error before start(), and when the objective was given terms, pins or ties since.
   bool step();
   /// Of the solve that start() began; the best so far. Throw Error before start().
   const Vector& positions() const;
