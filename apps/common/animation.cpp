@@ -1,12 +1,12 @@
 #include "common/animation.hpp"
 
-#include "common/base64.hpp"
 #include "common/formatted.hpp"
 #include "common/html.hpp"
 #include "common/rig_figure.hpp"
 
+#include <isostretch/core/base64.hpp>
 #include <isostretch/core/error.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -7,9 +7,9 @@
 #include "common/formatted.hpp"
 #include "common/terminal.hpp"
 
-#include <isostretch/mesh/elements.hpp>
+#include <isostretch/fem/elements.hpp>
+#include <isostretch/fem/quadratic.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/quadratic.hpp>
 #include <isostretch/mesh/structured.hpp>
 
 #include <algorithm>

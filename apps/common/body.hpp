@@ -3,9 +3,9 @@
 #include <isostretch/assembly/elements.hpp>
 #include <isostretch/core/vector.hpp>
 #include <isostretch/handles/selection.hpp>
-#include <isostretch/mesh/boundary_surface.hpp>
 #include <isostretch/mesh/element_mesh.hpp>
-#include <isostretch/mesh/shape_functions.hpp>
+#include <isostretch/mesh/shape.hpp>
+#include <isostretch/surface/boundary_surface.hpp>
 
 #include <array>
 #include <filesystem>

@@ -5,9 +5,10 @@
 #include "common/terminal.hpp"
 
 #include <isostretch/assembly/elements.hpp>
-#include <isostretch/mesh/check.hpp>
-#include <isostretch/mesh/quadrature.hpp>
-#include <isostretch/mesh/repair.hpp>
+#include <isostretch/fem/quadrature.hpp>
+#include <isostretch/fem/shape_functions.hpp>
+#include <isostretch/surface/check.hpp>
+#include <isostretch/surface/repair.hpp>
 
 #include <algorithm>
 #include <array>

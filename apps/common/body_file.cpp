@@ -5,9 +5,9 @@
 #include "common/terminal.hpp"
 
 #include <isostretch/core/error.hpp>
-#include <isostretch/mesh/io.hpp>
-#include <isostretch/mesh/repair.hpp>
 #include <isostretch/mesh/weld.hpp>
+#include <isostretch/mesh_io/io.hpp>
+#include <isostretch/surface/repair.hpp>
 
 #include <Eigen/Geometry>
 

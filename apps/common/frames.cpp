@@ -5,7 +5,7 @@
 #include "common/vtu.hpp"
 
 #include <isostretch/core/to_text.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 namespace isostretch::app {
 namespace {

@@ -1,8 +1,9 @@
 #include "common/html.hpp"
 
-#include "common/base64.hpp"
 #include "common/formatted.hpp"
 #include "common/utf8.hpp"
+
+#include <isostretch/core/base64.hpp>
 
 #include <algorithm>
 #include <cctype>

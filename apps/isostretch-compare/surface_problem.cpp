@@ -3,10 +3,10 @@
 #include "common/energy_reader.hpp"
 #include "common/exit_code.hpp"
 
-#include <isostretch/atlas/start.hpp>
-#include <isostretch/mesh/check.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
+#include <isostretch/parameterization/start.hpp>
+#include <isostretch/surface/check.hpp>
 
 #include <limits>
 
@@ -43,7 +43,7 @@ void require_disk(const Surface& surface) {
 
 // As isostretch-parameterize starts: Tutte's embedding with uniform weights on a circle, of the rest's area.
 Vector tutte_start(const Surface& surface, const mesh::ElementArrays& rest) {
-  const atlas::StartResult start = atlas::flip_free_start(surface.mesh, rest);
+  const parameterization::StartResult start = parameterization::flip_free_start(surface.mesh, rest);
   if (start.uv.rows() == 0) throw Error("no start: " + start.message);
   return Eigen::Map<const Vector>(start.uv.data(), start.uv.size());
 }

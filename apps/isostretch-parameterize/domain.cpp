@@ -4,11 +4,11 @@
 #include "common/formatted.hpp"
 #include "common/terminal.hpp"
 
-#include <isostretch/mesh/check.hpp>
-#include <isostretch/mesh/components.hpp>
-#include <isostretch/mesh/io.hpp>
-#include <isostretch/mesh/seams.hpp>
 #include <isostretch/mesh/weld.hpp>
+#include <isostretch/mesh_io/io.hpp>
+#include <isostretch/surface/check.hpp>
+#include <isostretch/surface/components.hpp>
+#include <isostretch/surface/seams.hpp>
 
 #include <algorithm>
 #include <cctype>

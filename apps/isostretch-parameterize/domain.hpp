@@ -2,10 +2,10 @@
 
 #include "options.hpp"
 
-#include <isostretch/mesh/cut.hpp>
-#include <isostretch/mesh/obj_document.hpp>
-#include <isostretch/mesh/repair.hpp>
 #include <isostretch/mesh/types.hpp>
+#include <isostretch/mesh_io/obj_document.hpp>
+#include <isostretch/surface/cut.hpp>
+#include <isostretch/surface/repair.hpp>
 
 #include <memory>
 #include <string>

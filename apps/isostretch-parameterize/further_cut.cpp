@@ -1,6 +1,6 @@
 #include "further_cut.hpp"
 
-#include <isostretch/mesh/boundary.hpp>
+#include <isostretch/surface/boundary.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "common/terminal.hpp"
 
-#include <isostretch/atlas/pack.hpp>
-#include <isostretch/mesh/orientation.hpp>
+#include <isostretch/parameterization/pack.hpp>
+#include <isostretch/surface/orientation.hpp>
 
 #include <cmath>
 #include <string>
@@ -18,9 +18,10 @@ void pack_charts(const Start& start, const Options& options, Layout& layout) {
     charts.push_back(chart.gather(layout.uv));
     triangles.push_back(chart.mesh.triangles);
   }
-  atlas::Packing packing;
+  parameterization::Packing packing;
   try {
-    packing = atlas::pack(charts, triangles, {.margin = options.margin, .rotate = options.aligned.empty()});
+    packing = parameterization::pack(charts, triangles,
+                                     {.margin = options.margin, .rotate = options.aligned.empty()});
   } catch (const Error& error) {
     warn(std::string("not packed: ") + error.what());  // the solution is worth more than its place
     return;

@@ -4,7 +4,7 @@
 #include "common/figures/model_figure.hpp"
 #include "common/formatted.hpp"
 
-#include <isostretch/mesh/seams.hpp>
+#include <isostretch/surface/seams.hpp>
 
 namespace isostretch::app::parameterize {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <isostretch/mesh/cut.hpp>
 #include <isostretch/newton/options.hpp>
+#include <isostretch/surface/cut.hpp>
 
 #include <Eigen/Core>
 

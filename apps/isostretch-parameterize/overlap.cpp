@@ -1,6 +1,6 @@
 #include "overlap.hpp"
 
-#include <isostretch/mesh/seams.hpp>
+#include <isostretch/surface/seams.hpp>
 
 #include <algorithm>
 #include <utility>

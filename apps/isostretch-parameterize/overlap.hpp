@@ -2,7 +2,7 @@
 
 #include "solve.hpp"
 
-#include <isostretch/mesh/overlap.hpp>
+#include <isostretch/surface/overlap.hpp>
 
 #include <vector>
 

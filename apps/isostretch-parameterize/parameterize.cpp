@@ -15,7 +15,7 @@
 #include <future>
 
 #include <isostretch/core/timer.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 namespace isostretch::app::parameterize {
 namespace {

@@ -4,8 +4,8 @@
 #include "common/interrupt.hpp"
 #include "common/terminal.hpp"
 
-#include <isostretch/mesh/orientation.hpp>
 #include <isostretch/newton/minimize.hpp>
+#include <isostretch/surface/orientation.hpp>
 
 namespace isostretch::app::parameterize {
 namespace {

@@ -11,7 +11,7 @@
 #include <isostretch/core/isa.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/core/version.hpp>
-#include <isostretch/mesh/seams.hpp>
+#include <isostretch/surface/seams.hpp>
 
 #include <map>
 
@@ -123,7 +123,8 @@ Json charts_json(const Result& r) {
     charts.push_back(
         {{"triangles", chart.triangle.size()},
          {"area", mesh::total_weight(chart.rest)},
-         {"start", r.options.initial == Initial::input ? "input" : atlas::start_method_name(chart.method)}});
+         {"start", r.options.initial == Initial::input ? "input"
+                                                       : parameterization::start_method_name(chart.method)}});
   // The last run of a chart counts. What it says of energies holds of all parts together.
   std::map<int, const newton::Summary*> last;
   for (const Run& run : r.solution.runs) last[run.chart] = &run.summary;

@@ -10,8 +10,8 @@
 #include "placement.hpp"
 
 #include <isostretch/core/timer.hpp>
-#include <isostretch/mesh/orientation.hpp>
 #include <isostretch/newton/minimize.hpp>
+#include <isostretch/surface/orientation.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -6,11 +6,11 @@
 #include "common/terminal.hpp"
 
 #include <isostretch/core/to_text.hpp>
-#include <isostretch/mesh/boundary.hpp>
-#include <isostretch/mesh/components.hpp>
-#include <isostretch/mesh/orientation.hpp>
 #include <isostretch/newton/objective.hpp>
 #include <isostretch/newton/term.hpp>
+#include <isostretch/surface/boundary.hpp>
+#include <isostretch/surface/components.hpp>
+#include <isostretch/surface/orientation.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -118,17 +118,17 @@ std::string held_flat(const Chart& chart, const std::vector<int>& flipped) {
 
 void embed(const Domain& domain, const Options& options, const std::string& name, Chart& chart,
            Start& start) {
-  atlas::StartOptions how;
+  parameterization::StartOptions how;
   how.tutte.solver = options.newton.solver;
-  how.tutte.boundary =
-      options.boundary == Boundary::square ? mesh::BoundaryShape::square : mesh::BoundaryShape::circle;
+  how.tutte.boundary = options.boundary == Boundary::square ? parameterization::BoundaryShape::square
+                                                            : parameterization::BoundaryShape::circle;
   how.tutte.corners = corners_of(domain, chart, options);
   how.keep_boundary = options.boundary != Boundary::free;
   how.keep_going = [] { return !interrupted(); };
-  const atlas::StartResult result = atlas::flip_free_start(chart.mesh, chart.rest, how);
+  const parameterization::StartResult result = parameterization::flip_free_start(chart.mesh, chart.rest, how);
   if (result.uv.rows() == 0)
     throw Failure(ExitCode::solver_failed, name + "no start: " + result.message + "; nothing is written");
-  if (result.method == atlas::StartMethod::untangled)
+  if (result.method == parameterization::StartMethod::untangled)
     notice(name + "Tutte's embedding collapsed triangles: untangled in " +
            std::to_string(result.untangling.iterations) + " iterations");
   if (!result.flipped.empty() && interrupted())

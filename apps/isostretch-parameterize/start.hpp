@@ -2,9 +2,9 @@
 
 #include "domain.hpp"
 
-#include <isostretch/atlas/start.hpp>
 #include <isostretch/energies/any_energy.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
+#include <isostretch/parameterization/start.hpp>
 
 #include <vector>
 
@@ -17,7 +17,7 @@ struct Chart {
   std::vector<int> triangle;       // its triangles in the opened mesh
   mesh::ElementArrays rest;        // of all charts together the area is 1
   std::vector<int> held_boundary;  // vertices that --boundary holds, in the numbers of the chart
-  atlas::StartMethod method = atlas::StartMethod::uniform;
+  parameterization::StartMethod method = parameterization::StartMethod::uniform;
   int solved_as = -1;  // the chart this was part of when it was solved; -1: itself
 
   // Rows of a layout of the opened mesh, and back.

@@ -3,7 +3,7 @@
 #include "checker_square.hpp"
 #include "common/figures/checkerboard.hpp"
 
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 namespace isostretch::app::parameterize {
 

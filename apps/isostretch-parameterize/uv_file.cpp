@@ -2,7 +2,7 @@
 
 #include "common/terminal.hpp"
 
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 namespace isostretch::app::parameterize {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <isostretch/baselines/distortion.hpp>
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <doctest/doctest.h>
 

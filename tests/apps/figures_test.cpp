@@ -1,4 +1,3 @@
-#include "common/base64.hpp"
 #include "common/figures/camera.hpp"
 #include "common/figures/checkerboard.hpp"
 #include "common/figures/edges.hpp"
@@ -8,6 +7,7 @@
 #include "common/html.hpp"
 #include "common/utf8.hpp"
 
+#include <isostretch/core/base64.hpp>
 #include <isostretch/mesh/generators.hpp>
 
 #include <doctest/doctest.h>

@@ -4,7 +4,7 @@
 #include "scratch.hpp"
 
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <cmath>
 #include <string>

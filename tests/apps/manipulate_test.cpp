@@ -4,7 +4,7 @@
 #include "common/figures/photo.hpp"
 
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <doctest/doctest.h>
 

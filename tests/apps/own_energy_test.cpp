@@ -5,7 +5,7 @@
 #include "scratch.hpp"
 
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

@@ -2,14 +2,14 @@
 #include "process.hpp"
 #include "scratch.hpp"
 
-#include "../../libs/mesh/tests/meshes.hpp"
+#include "meshes.hpp"
 
-#include <isostretch/mesh/boundary.hpp>
-#include <isostretch/mesh/components.hpp>
-#include <isostretch/mesh/cut.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
-#include <isostretch/mesh/orientation.hpp>
+#include <isostretch/mesh_io/io.hpp>
+#include <isostretch/surface/boundary.hpp>
+#include <isostretch/surface/components.hpp>
+#include <isostretch/surface/cut.hpp>
+#include <isostretch/surface/orientation.hpp>
 
 #include <doctest/doctest.h>
 

@@ -3,10 +3,10 @@
 #include "process.hpp"
 #include "scratch.hpp"
 
-#include "../../libs/mesh/tests/meshes.hpp"
+#include "meshes.hpp"
 
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <doctest/doctest.h>
 

@@ -2,10 +2,10 @@
 #include "process.hpp"
 #include "scratch.hpp"
 
-#include <isostretch/mesh/components.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
-#include <isostretch/mesh/overlap.hpp>
+#include <isostretch/mesh_io/io.hpp>
+#include <isostretch/surface/components.hpp>
+#include <isostretch/surface/overlap.hpp>
 
 #include <doctest/doctest.h>
 

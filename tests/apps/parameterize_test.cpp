@@ -1,10 +1,10 @@
 #include "process.hpp"
 #include "scratch.hpp"
 
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
-#include <isostretch/mesh/orientation.hpp>
+#include <isostretch/mesh_io/io.hpp>
+#include <isostretch/surface/orientation.hpp>
 
 #include <doctest/doctest.h>
 #include <Eigen/Geometry>

@@ -5,7 +5,7 @@
 #include "interpolate_app.hpp"
 #include "manipulate_app.hpp"
 
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <doctest/doctest.h>
 

@@ -111,9 +111,9 @@ elseif(STEP STREQUAL "programs")
 
 elseif(STEP STREQUAL "other_machine")
   # The consumer's Eigen aligns to 32 or 64 bytes, the libraries' to 16: no memory may care.
-  configure(other_machine -DCMAKE_PREFIX_PATH=${work}/prefix -DCOMPONENTS=core,mesh,sparse,newton -DMARCH=native)
+  configure(other_machine -DCMAKE_PREFIX_PATH=${work}/prefix -DCOMPONENTS=core,mesh,mesh_io,surface,sparse,parameterization,newton -DMARCH=native)
   build(other_machine)
-  run_programs(other_machine core mesh sparse newton)
+  run_programs(other_machine core mesh surface sparse parameterization newton)
 
 elseif(STEP STREQUAL "build_tree")
   configure(build_tree -Disostretch_DIR=${BUILD_TREE} -DCOMPONENTS=linalg,sparse)

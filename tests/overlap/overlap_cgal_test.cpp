@@ -3,8 +3,8 @@
 #include "../apps/scratch.hpp"
 
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
-#include <isostretch/mesh/overlap.hpp>
+#include <isostretch/mesh_io/io.hpp>
+#include <isostretch/surface/overlap.hpp>
 
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 // The reference instances of the inversion-free problem: JSON files that lie beside the sources, or do not.
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/sdp_penalty/problem.hpp>
 
 #include <nlohmann/json.hpp>

@@ -1,10 +1,10 @@
 #include <isostretch/assembly/energy_assembler.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
-#include <isostretch/mesh/elements.hpp>
+#include <isostretch/fem/element_arrays.hpp>
+#include <isostretch/fem/elements.hpp>
+#include <isostretch/fem/quadratic.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/quadratic.hpp>
 #include <isostretch/mesh/structured.hpp>
 #include <isostretch/projection/projection.hpp>
 

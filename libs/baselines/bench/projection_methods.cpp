@@ -9,9 +9,9 @@
 #include "../src/distortion/teran_rule.hpp"
 
 #include <isostretch/energies/registry.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/linalg/decompositions.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 #include <isostretch/projection/projection.hpp>
 
 #include <Eigen/Dense>

@@ -3,7 +3,7 @@
 #include "formulation.hpp"
 #include "registry.hpp"
 
-#include <isostretch/atlas/untangle.hpp>
+#include <isostretch/parameterization/untangle.hpp>
 
 namespace isostretch::baselines {
 namespace {
@@ -15,10 +15,10 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
   recorder.begin(Phase::solving);
   Vector x = with_all_targets(problem, skinned(problem));
   if (!recorder.record(x)) return x;
-  atlas::UntangleOptions untangle;
+  parameterization::UntangleOptions untangle;
   if (options.limits.iterations > 0) untangle.max_rounds = options.limits.iterations;
-  const atlas::UntangleResult result = atlas::untangle(problem.elements, x, untangle, target_nodes(problem),
-                                                       [&] { return recorder.record(x); });
+  const parameterization::UntangleResult result = parameterization::untangle(
+      problem.elements, x, untangle, target_nodes(problem), [&] { return recorder.record(x); });
   recorder.result().iterations = result.rounds;  // which the limit counts
   if (result.untangled)
     recorder.end(Status::converged, "no element is inverted");

@@ -1,7 +1,7 @@
-#include <isostretch/baselines/instance.hpp>
 
 #include "deformation.hpp"
 
+#include <isostretch/baselines/instance.hpp>
 #include <isostretch/core/error.hpp>
 
 #include <string>

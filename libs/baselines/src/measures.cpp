@@ -1,7 +1,7 @@
-#include <isostretch/baselines/measures.hpp>
 
 #include "deformation.hpp"
 
+#include <isostretch/baselines/measures.hpp>
 #include <isostretch/linalg/decompositions.hpp>
 #include <isostretch/sdp_penalty/relinearize.hpp>
 

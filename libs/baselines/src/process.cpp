@@ -1,5 +1,5 @@
-#include <isostretch/baselines/process.hpp>
 
+#include <isostretch/baselines/process.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/timer.hpp>
 

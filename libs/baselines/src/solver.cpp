@@ -1,7 +1,7 @@
-#include <isostretch/baselines/solver.hpp>
 
 #include "registry.hpp"
 
+#include <isostretch/baselines/solver.hpp>
 #include <isostretch/core/error.hpp>
 
 #include <cmath>

@@ -3,9 +3,9 @@
 // What the tests of methods for distortion energies share: a cap to flatten and a bar to bend, as problems.
 #include <isostretch/baselines/distortion.hpp>
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/tutte.hpp>
+#include <isostretch/parameterization/tutte.hpp>
 
 #include <doctest/doctest.h>
 
@@ -25,8 +25,8 @@ inline Started flattening(const energies::AnyEnergy& energy, int rings = 12) {
   const mesh::SurfaceMesh surface = mesh::procedural_face(rings);
   auto arrays = mesh::flat_elements(surface);
   mesh::scale_to_total_weight(arrays);
-  const auto tutte = mesh::tutte_embedding(surface);
-  REQUIRE(tutte.status == mesh::TutteStatus::ok);
+  const auto tutte = parameterization::tutte_embedding(surface);
+  REQUIRE(tutte.status == parameterization::TutteStatus::ok);
   return {{assembly::elements_from(arrays), energy, {}},
           Eigen::Map<const Vector>(tutte.uv.data(), tutte.uv.size())};
 }

@@ -1,4 +1,3 @@
-#include <isostretch/expressions/printout.hpp>
 
 #include "derivatives.hpp"
 #include "parser.hpp"
@@ -6,6 +5,7 @@
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/expressions/expression.hpp>
+#include <isostretch/expressions/printout.hpp>
 
 #include <optional>
 

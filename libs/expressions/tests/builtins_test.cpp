@@ -2,7 +2,7 @@
 
 #include <isostretch/energies/registry.hpp>
 #include <isostretch/expressions/expression.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/newton/minimize.hpp>
 #include <isostretch/projection/projection.hpp>

@@ -1,6 +1,6 @@
 // Energies of the literature that are not built in, as one would type them.
 #include <isostretch/expressions/expression.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/newton/minimize.hpp>
 #include <isostretch/projection/projection.hpp>

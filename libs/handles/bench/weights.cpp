@@ -7,8 +7,8 @@
 #include "../tests/body.hpp"
 
 #include <isostretch/core/timer.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/handles/bounded_weights.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
 
 #include <cstdio>

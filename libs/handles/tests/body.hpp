@@ -2,8 +2,8 @@
 
 // Meshes as the library takes them and handles on them, for tests and benchmarks.
 #include <isostretch/assembly/elements.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/handles/selection.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -1,9 +1,9 @@
 #include "body.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/handles/bounded_weights.hpp>
 #include <isostretch/handles/selection.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
 
 #include <doctest/doctest.h>

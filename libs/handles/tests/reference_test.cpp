@@ -1,7 +1,7 @@
 // Weights and rotations of the reference instances of the inversion-free problem.
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/handles/bounded_weights.hpp>
 #include <isostretch/handles/rotation_blend.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
 
 #include <doctest/doctest.h>

@@ -1,9 +1,9 @@
 #include <isostretch/core/error.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/handles/elements.hpp>
 #include <isostretch/handles/selection.hpp>
-#include <isostretch/mesh/boundary_surface.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
+#include <isostretch/surface/boundary_surface.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,11 +1,11 @@
 #include "body.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/fem/elements.hpp>
+#include <isostretch/fem/quadratic.hpp>
 #include <isostretch/handles/selection.hpp>
 #include <isostretch/handles/spread.hpp>
-#include <isostretch/mesh/elements.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/quadratic.hpp>
 #include <isostretch/mesh/structured.hpp>
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include <isostretch/core/error.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/handles/weights_cache.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
-#include "require.hpp"
 
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/mesh/generators.hpp>
+#include <isostretch/mesh/require.hpp>
 #include <isostretch/mesh/structured.hpp>
 
 #include <cmath>

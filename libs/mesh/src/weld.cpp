@@ -1,6 +1,5 @@
-#include "io/weld.hpp"
-#include "require.hpp"
 
+#include <isostretch/mesh/require.hpp>
 #include <isostretch/mesh/weld.hpp>
 
 #include <algorithm>
@@ -11,12 +10,12 @@ namespace isostretch::mesh {
 namespace {
 
 template <class Elements>
-Welded weld_vertices(Points3& vertices, Elements& elements, double tolerance) {
+WeldedPoints weld_vertices(Points3& vertices, Elements& elements, double tolerance) {
   if (!(tolerance >= 0) || !std::isfinite(tolerance))
     throw Error("the welding tolerance is negative or not finite");
   require_finite(vertices, "vertex");
   require_indices(elements, vertices.rows(), "element");
-  const Welded welded =
+  const WeldedPoints welded =
       weld(std::vector<double>(vertices.data(), vertices.data() + vertices.size()), tolerance);
   vertices =
       Eigen::Map<const Points3>(welded.points.data(), static_cast<Eigen::Index>(welded.points.size()) / 3, 3);
@@ -35,7 +34,7 @@ int weld(SurfaceMesh& mesh, double tolerance) {
 
 int weld(ElementMesh& mesh, double tolerance) {
   const auto before = mesh.vertices.rows();
-  const Welded welded = weld_vertices(mesh.vertices, mesh.elements, tolerance);
+  const WeldedPoints welded = weld_vertices(mesh.vertices, mesh.elements, tolerance);
   for (ElementGroup& group : mesh.groups) {
     for (int& v : group.vertices) v = welded.index[static_cast<std::size_t>(v)];
     std::sort(group.vertices.begin(), group.vertices.end());

@@ -1,10 +1,10 @@
 // Crossed grids, balls and the quadruped.
 #include <isostretch/core/error.hpp>
-#include <isostretch/mesh/boundary_surface.hpp>
-#include <isostretch/mesh/check.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/orientation.hpp>
+#include <isostretch/surface/boundary_surface.hpp>
+#include <isostretch/surface/check.hpp>
+#include <isostretch/surface/orientation.hpp>
 
 #include <doctest/doctest.h>
 

@@ -4,8 +4,8 @@
 //
 //   isostretch_near_incompressible bob.mesh twist abs [option=value ...]
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/fem/element_arrays.hpp>
+#include <isostretch/mesh_io/io.hpp>
 #include <isostretch/newton/minimize.hpp>
 
 #include <cmath>

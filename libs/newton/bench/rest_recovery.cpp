@@ -3,9 +3,9 @@
 //
 //   isostretch_rest_recovery hand.mesh arap random nu=0.49 young=1e6 [first=arap] [projection=abs] [trace]
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 #include <isostretch/newton/minimize.hpp>
 
 #include <algorithm>

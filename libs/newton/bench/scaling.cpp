@@ -3,7 +3,7 @@
 //
 //   isostretch_scaling n [energy] [solver=pcg] [preconditioner=amg] [projection=clamp] [largest_forcing=0.1]
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/newton/minimize.hpp>
 

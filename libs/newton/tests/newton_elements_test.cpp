@@ -1,8 +1,9 @@
 // Solves with every kind of element: patch tests and orders of convergence.
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/elements.hpp>
+#include <isostretch/fem/elements.hpp>
+#include <isostretch/fem/quadratic.hpp>
+#include <isostretch/fem/shape_functions.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/quadratic.hpp>
 #include <isostretch/mesh/structured.hpp>
 #include <isostretch/newton/minimize.hpp>
 

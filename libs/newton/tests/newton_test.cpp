@@ -1,11 +1,11 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
-#include <isostretch/mesh/orientation.hpp>
-#include <isostretch/mesh/tutte.hpp>
+#include <isostretch/mesh_io/io.hpp>
 #include <isostretch/newton/minimize.hpp>
+#include <isostretch/parameterization/tutte.hpp>
+#include <isostretch/surface/orientation.hpp>
 
 #include <doctest/doctest.h>
 #include <omp.h>
@@ -33,8 +33,8 @@ struct Flattening {
     auto arrays = mesh::flat_elements(surface);
     mesh::scale_to_total_weight(arrays);
     elements = assembly::elements_from(arrays);
-    const auto tutte = mesh::tutte_embedding(surface);
-    REQUIRE(tutte.status == mesh::TutteStatus::ok);
+    const auto tutte = parameterization::tutte_embedding(surface);
+    REQUIRE(tutte.status == parameterization::TutteStatus::ok);
     start = Eigen::Map<const Vector>(tutte.uv.data(), tutte.uv.size());
   }
 
@@ -177,7 +177,7 @@ TEST_CASE("scaling lengths and stiffness changes nothing with the scale-aware st
       newton::Objective objective(2, elements.node_count);
       objective.add<newton::EnergyTerm>(
           elements, energies::make_energy("symmetric_dirichlet", {{"weight", stiffness}}));
-      const auto tutte = mesh::tutte_embedding(scaled);
+      const auto tutte = parameterization::tutte_embedding(scaled);
       const double area = mesh::total_area(scaled);
       Vector x = Eigen::Map<const Vector>(tutte.uv.data(), tutte.uv.size()) * std::sqrt(area);
       const auto summary = newton::minimize(objective, x);

@@ -1,10 +1,10 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
-#include <isostretch/mesh/elements.hpp>
+#include <isostretch/fem/element_arrays.hpp>
+#include <isostretch/fem/elements.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/tutte.hpp>
 #include <isostretch/newton/minimize.hpp>
+#include <isostretch/parameterization/tutte.hpp>
 
 #include <doctest/doctest.h>
 
@@ -113,9 +113,9 @@ TEST_CASE("ties hold to the bit through a minimisation") {
   const mesh::SurfaceMesh face = mesh::procedural_face(6);
   mesh::ElementArrays rest = mesh::flat_elements(face);
   mesh::scale_to_total_weight(rest, 1.0);
-  mesh::TutteOptions square;
-  square.boundary = mesh::BoundaryShape::square;
-  const mesh::Points2 uv = mesh::tutte_embedding(face, square).uv;
+  parameterization::TutteOptions square;
+  square.boundary = parameterization::BoundaryShape::square;
+  const mesh::Points2 uv = parameterization::tutte_embedding(face, square).uv;
   newton::Objective free(2, rest.node_count), tied(2, rest.node_count);
   for (newton::Objective* objective : {&free, &tied})
     objective->add<newton::EnergyTerm>(assembly::elements_from(rest),

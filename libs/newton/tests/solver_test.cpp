@@ -1,10 +1,10 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/tutte.hpp>
 #include <isostretch/newton/minimize.hpp>
 #include <isostretch/newton/solver.hpp>
+#include <isostretch/parameterization/tutte.hpp>
 
 #include <doctest/doctest.h>
 
@@ -26,7 +26,7 @@ struct Face {
     auto arrays = mesh::flat_elements(surface);
     mesh::scale_to_total_weight(arrays);
     elements = assembly::elements_from(arrays);
-    const auto tutte = mesh::tutte_embedding(surface);
+    const auto tutte = parameterization::tutte_embedding(surface);
     start = Eigen::Map<const Vector>(tutte.uv.data(), tutte.uv.size());
   }
 

@@ -1,9 +1,9 @@
 // Solid bodies in 3D: recovery from hopeless starts at any stiffness, filters, inexact solves, scaled terms.
 #include <isostretch/core/error.hpp>
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
+#include <isostretch/mesh_io/io.hpp>
 #include <isostretch/newton/minimize.hpp>
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 // A small bar of tetrahedra at rest, held at one end.
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/sdp_penalty/problem.hpp>
 

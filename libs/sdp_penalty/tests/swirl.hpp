@@ -1,7 +1,7 @@
 #pragma once
 
 // Procedural scenes of the inversion-free problem, for tests and benchmarks.
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/sdp_penalty/problem.hpp>
 

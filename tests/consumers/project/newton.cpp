@@ -2,12 +2,12 @@
 #include "expect.hpp"
 
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/mesh/element_arrays.hpp>
+#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/io.hpp>
-#include <isostretch/mesh/orientation.hpp>
-#include <isostretch/mesh/tutte.hpp>
+#include <isostretch/mesh_io/io.hpp>
 #include <isostretch/newton/minimize.hpp>
+#include <isostretch/parameterization/tutte.hpp>
+#include <isostretch/surface/orientation.hpp>
 
 #include <cstdio>
 #include <utility>
@@ -18,7 +18,7 @@ static newton::Summary flatten(const char* file, mesh::Points2& uv) {
   // clang-format off
   // snippet: README.md
   auto model = mesh::read_surface(file);                      // a topological disk
-  auto start = mesh::tutte_embedding(model).uv;               // flip-free
+  auto start = parameterization::tutte_embedding(model).uv;               // flip-free
   auto rest = mesh::flat_elements(model);                     // rest shape of every triangle
   mesh::scale_to_total_weight(rest, 1.0);
   newton::Objective objective(2, rest.node_count);

@@ -1,7 +1,7 @@
-#include <isostretch/baselines/distortion.hpp>
 
 #include "method_registry.hpp"
 
+#include <isostretch/baselines/distortion.hpp>
 #include <isostretch/core/error.hpp>
 
 #include <cmath>

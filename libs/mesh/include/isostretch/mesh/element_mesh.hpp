@@ -1,6 +1,6 @@
 #pragma once
 
-#include <isostretch/mesh/shape_functions.hpp>
+#include <isostretch/mesh/shape.hpp>
 #include <isostretch/mesh/types.hpp>
 
 #include <cstdint>

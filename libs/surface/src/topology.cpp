@@ -1,0 +1,65 @@
+#include <isostretch/surface/topology.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace isostretch::mesh {
+namespace {
+
+bool repeats_vertex(const Triangles& triangles, Eigen::Index t) {
+  return triangles(t, 0) == triangles(t, 1) || triangles(t, 1) == triangles(t, 2) ||
+         triangles(t, 2) == triangles(t, 0);
+}
+
+int corner_at(const Side& side, int vertex) {
+  return 3 * side.triangle + (vertex == side.from() ? side.corner : (side.corner + 1) % 3);
+}
+
+}  // namespace
+
+std::vector<Side> sorted_sides(const Triangles& triangles) {
+  std::vector<Side> sides;
+  sides.reserve(3 * static_cast<std::size_t>(triangles.rows()));
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
+    if (repeats_vertex(triangles, t)) continue;
+    for (int corner = 0; corner < 3; ++corner) {
+      const int from = triangles(t, corner), to = triangles(t, (corner + 1) % 3);
+      sides.push_back({std::min(from, to), std::max(from, to), static_cast<int>(t), corner, from > to});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  });
+  return sides;
+}
+
+UnionFind::UnionFind(int count) : parent_(static_cast<std::size_t>(count)) {
+  std::iota(parent_.begin(), parent_.end(), 0);
+}
+
+int UnionFind::find(int i) {
+  while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+  return i;
+}
+
+// The smaller index becomes the root, so that results do not depend on the order of calls.
+void UnionFind::unite(int i, int j) {
+  i = find(i);
+  j = find(j);
+  parent_[std::max(i, j)] = std::min(i, j);
+}
+
+void join_corners(UnionFind& fans, const Side& a, const Side& b) {
+  for (const int vertex : {a.low, a.high}) fans.unite(corner_at(a, vertex), corner_at(b, vertex));
+}
+
+UnionFind corner_fans(const Triangles& triangles, const std::vector<Side>& sides) {
+  UnionFind fans(3 * static_cast<int>(triangles.rows()));
+  for_each_edge(sides, [&](const Side* begin, const Side* end) {
+    for (const Side* side = begin + 1; side < end; ++side) join_corners(fans, *begin, *side);
+  });
+  return fans;
+}
+
+}  // namespace isostretch::mesh
