@@ -18,7 +18,9 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
   parameterization::UntangleOptions untangle;
   if (options.limits.iterations > 0) untangle.max_rounds = options.limits.iterations;
   const parameterization::UntangleResult result = parameterization::untangle(
-      problem.elements, x, untangle, target_nodes(problem), [&] { return recorder.record(x); });
+      problem.elements, x, untangle, target_nodes(problem), [&](const auto&, const Vector& at) {
+        return recorder.record(at) ? CallbackAction::proceed : CallbackAction::stop;
+      });
   recorder.result().iterations = result.rounds;  // which the limit counts
   if (result.untangled)
     recorder.end(Status::converged, "no element is inverted");

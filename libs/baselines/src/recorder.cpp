@@ -57,7 +57,8 @@ bool Recorder::record(const Vector& x, int iteration) {
 
 bool Recorder::may_go_on() {
   if (!(seconds_left() > 0)) end(Status::time_limit, "the time limit is reached");
-  if (options_.keep_going && !options_.keep_going()) end(Status::callback, "stopped by the caller");
+  if (options_.stop.deadline_passed()) end(Status::time_limit, "the time limit is reached");
+  if (options_.stop.stop_requested()) end(Status::callback, "stopped by the caller");
   return !ended();
 }
 

@@ -5,7 +5,9 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 namespace {
 
@@ -164,9 +166,15 @@ TEST_CASE("Whatever a program does, there is a status, and nothing stays behind"
   }
   SUBCASE("stopped by the caller") {
     const Timer timer;
-    options.keep_going = [&] { return timer.seconds() < 0.1; };
+    const StopSource source;
+    options.stop = source.token();
+    std::thread user([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      source.request_stop();
+    });
     CHECK(outcome("sleep 1000").status == Status::callback);
     CHECK(timer.seconds() < 3);
+    user.join();
   }
   SUBCASE("too large for it") {
     const Result result = outcome("echo 'This problem is too large to be solved in 32 bit mode!'; exit 206");

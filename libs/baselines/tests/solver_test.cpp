@@ -62,9 +62,13 @@ TEST_CASE("Limits and the callback end a run with statuses of their own") {
       });
   CHECK(stopped.status == Status::callback);
   options = {};
-  int asked = 0;
-  options.keep_going = [&] { return ++asked < 3; };
-  const auto told = baselines::solve("penalty", instance, options);
+  const StopSource source;
+  options.stop = source.token();
+  int seen = 0;
+  const auto told = baselines::solve("penalty", instance, options, [&](const auto&, const Vector&) {
+    if (++seen == 3) source.request_stop();
+    return baselines::CallbackAction::proceed;
+  });
   CHECK(told.status == Status::callback);
   CHECK(told.trace.size() == 3);
   CHECK(stopped.iterations == 1);

@@ -12,11 +12,11 @@ namespace isostretch {
 
 AtomicFile::AtomicFile(std::string path)
     : path_(std::move(path)), temporary_path_(path_ + ".part" + std::to_string(::getpid())) {
-  if (path_.empty()) throw Error("cannot write a file without a name");
+  if (path_.empty()) throw Error(ErrorKind::misuse, "cannot write a file without a name");
   if (std::error_code ignored; std::filesystem::is_directory(path_, ignored))
-    throw Error(path_ + ": cannot write: is a directory");
+    throw Error(ErrorKind::resource, path_ + ": cannot write: is a directory");
   file_ = std::fopen(temporary_path_.c_str(), "wb");
-  if (file_ == nullptr) throw Error(path_ + ": cannot write: " + std::strerror(errno));
+  if (file_ == nullptr) throw Error(ErrorKind::resource, path_ + ": cannot write: " + std::strerror(errno));
 }
 
 AtomicFile::~AtomicFile() {
@@ -35,12 +35,12 @@ void AtomicFile::commit() {
   if (std::fclose(closing) != 0 || std::rename(temporary_path_.c_str(), path_.c_str()) != 0) {
     const std::string reason = std::strerror(errno);
     std::remove(temporary_path_.c_str());
-    throw Error(path_ + ": cannot write: " + reason);
+    throw Error(ErrorKind::resource, path_ + ": cannot write: " + reason);
   }
 }
 
 void AtomicFile::fail(const char* action) {
-  throw Error(path_ + ": " + action + ": " + std::strerror(errno));
+  throw Error(ErrorKind::resource, path_ + ": " + action + ": " + std::strerror(errno));
 }
 
 }  // namespace isostretch

@@ -178,6 +178,7 @@ class Solver::Solve {
     });
     if (callback_ && callback_(row, x_) == CallbackAction::stop)
       return end(Status::stopped_by_callback, "stopped by the callback");
+    if (options_.stop.stop_requested()) return end(Status::stopped_by_callback, "interrupted");
     return true;
   }
 
@@ -194,7 +195,8 @@ class Solver::Solve {
     if (norm == 0) return !end(Status::converged_gradient, "the gradient is zero");
     if (summary_.iterations >= options_.max_iterations)
       return !end(Status::stopped_iterations, "the limit of iterations is reached");
-    if (options_.time_limit > 0 && timer_.seconds() >= options_.time_limit)
+    if ((options_.time_limit > 0 && timer_.seconds() >= options_.time_limit) ||
+        options_.stop.deadline_passed())
       return !end(Status::stopped_time, "the limit of time is reached");
     return false;
   }

@@ -1,5 +1,6 @@
 #include <isostretch/newton/summary.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace isostretch::newton {
@@ -56,6 +57,60 @@ bool failed(Status status) noexcept {
   return status == Status::not_run || status == Status::failed_start ||
          status == Status::failed_derivatives || status == Status::failed_factorization ||
          status == Status::failed_line_search;
+}
+
+SolveStatus outcome(Status status) noexcept {
+  if (converged(status)) return SolveStatus::converged;
+  switch (status) {
+    case Status::not_run:
+      return SolveStatus::not_run;
+    case Status::stopped_iterations:
+      return SolveStatus::iteration_limit;
+    case Status::stopped_time:
+      return SolveStatus::time_limit;
+    case Status::stopped_by_callback:
+      return SolveStatus::interrupted;
+    default:
+      return SolveStatus::failed;
+  }
+}
+
+PhaseTimes Seconds::phases() const {
+  PhaseTimes times;
+  times.add("minimize", total);
+  times.add("setup", setup);
+  times.add("assembly", assembly);
+  times.add("factorization", factorization);
+  times.add("solve", solve);
+  times.add("line_search", line_search);
+  return times;
+}
+
+void Summary::add_effort(const Summary& other) {
+  iterations += other.iterations;
+  factorizations += other.factorizations;
+  failed_factorizations += other.failed_factorizations;
+  energy_evaluations += other.energy_evaluations;
+  factor_nonzeros = std::max(factor_nonzeros, other.factor_nonzeros);
+  if (solver.empty()) solver = other.solver;
+  seconds.total += other.seconds.total;
+  seconds.setup += other.seconds.setup;
+  seconds.assembly += other.seconds.assembly;
+  seconds.factorization += other.seconds.factorization;
+  seconds.solve += other.seconds.solve;
+  seconds.line_search += other.seconds.line_search;
+}
+
+Trace trace_table(const Summary& summary) {
+  Trace trace{{"iteration", "seconds", "energy", "gradient_inf_norm", "step", "decrement", "filter_strength",
+               "points_filtered", "factorizations", "evaluations"},
+              {}};
+  for (const Iteration& row : summary.trace)
+    trace.rows.push_back({static_cast<double>(row.iteration), row.seconds, row.energy, row.gradient_inf_norm,
+                          row.step, row.decrement, row.filter_strength,
+                          static_cast<double>(row.points_filtered), static_cast<double>(row.factorizations),
+                          static_cast<double>(row.evaluations)});
+  return trace;
 }
 
 std::string Summary::brief_report() const {

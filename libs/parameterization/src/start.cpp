@@ -100,11 +100,12 @@ StartResult best_embedding(const mesh::SurfaceMesh& chart, const mesh::ElementAr
 void untangle_start(const mesh::SurfaceMesh& chart, const mesh::ElementArrays& rest,
                     const StartOptions& options, StartResult& start) {
   UntangleOptions how = options.untangle;
+  how.stop = options.stop;
   how.min_determinant = std::max(how.min_determinant, 1e-3);
   const std::vector<int> pinned = options.keep_boundary ? boundary_vertices(chart) : std::vector<int>();
   Vector x = Eigen::Map<const Vector>(start.uv.data(), start.uv.size());
   StartResult untangled = start;
-  untangled.untangling = untangle(assembly::elements_from(rest), x, how, pinned, options.keep_going);
+  untangled.untangling = untangle(assembly::elements_from(rest), x, how, pinned);
   untangled.method = StartMethod::untangled;
   untangled.uv = Eigen::Map<const mesh::Points2>(x.data(), start.uv.rows(), 2);
   untangled.flipped = mesh::orientation(untangled.uv, chart.triangles).flipped;

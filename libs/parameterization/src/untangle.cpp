@@ -49,11 +49,12 @@ class Untangler {
     options_.newton.time_limit = 0;
   }
 
-  UntangleResult run(const std::function<bool()>& keep_going) {
+  UntangleResult run(const UntangleCallback& callback) {
     measure();
     while (!result_.untangled && result_.rounds < options_.max_rounds) {
       if (!advance()) break;
-      if (keep_going && !keep_going()) {
+      const bool told = callback && callback(result_, x_) == CallbackAction::stop;
+      if (told || options_.stop.should_stop()) {
         result_.stopped = true;
         break;
       }
@@ -121,12 +122,12 @@ class Untangler {
 }  // namespace
 
 UntangleResult untangle(const assembly::Elements& elements, Vector& x, const UntangleOptions& options,
-                        const std::vector<int>& pinned_nodes, const std::function<bool()>& keep_going) {
+                        const std::vector<int>& pinned_nodes, const UntangleCallback& callback) {
   elements.validate();
   if (x.size() != elements.dim * elements.node_count || !x.allFinite())
     throw Error("untangle: the start must be " + std::to_string(elements.dim * elements.node_count) +
                 " finite numbers");
-  return Untangler(elements, x, options, pinned_nodes).run(keep_going);
+  return Untangler(elements, x, options, pinned_nodes).run(callback);
 }
 
 }  // namespace isostretch::parameterization

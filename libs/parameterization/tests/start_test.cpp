@@ -175,7 +175,11 @@ TEST_CASE("what cannot be untangled is said, and stopping is obeyed") {
   CHECK(!stuck.untangled);
   CHECK(stuck.worst_element >= 0);
   Vector y = x;
-  const UntangleResult stopped = untangle(elements, y, {}, {0, 1, 2}, [] { return false; });
+  const StopSource source;
+  source.request_stop();
+  UntangleOptions told_to_stop;
+  told_to_stop.stop = source.token();
+  const UntangleResult stopped = untangle(elements, y, told_to_stop, {0, 1, 2});
   CHECK((stopped.stopped || stopped.untangled));
   CHECK(stopped.rounds <= 1);
   Vector bad = x;

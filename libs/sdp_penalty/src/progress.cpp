@@ -109,6 +109,7 @@ void Progress::record(Iteration row, const Vector& x, const Constrained& at_x,
     end(Status::optimal, "feasible, and the certified gap is within gap_tolerance");
   if (callback_ && callback_(row, x) == CallbackAction::stop && !ended())
     end(Status::callback, "stopped by the callback");
+  if (options_.stop.should_stop() && !ended()) end(Status::callback, "interrupted");
 }
 
 bool Progress::certified() const {

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <isostretch/baselines/measures.hpp>
+#include <isostretch/core/phase_times.hpp>
+#include <isostretch/core/solve_status.hpp>
+#include <isostretch/core/trace.hpp>
 #include <isostretch/core/vector.hpp>
 
 #include <string>
@@ -27,6 +30,8 @@ enum class Status {
 };
 
 std::string_view status_name(Status status) noexcept;
+/// Returns the status in the words that all methods share.
+SolveStatus outcome(Status status) noexcept;
 
 // Wall-clock seconds, measuring positions for the trace not counted.
 struct Seconds {
@@ -56,6 +61,11 @@ struct Result {
   std::vector<Point> trace;
 
   bool has_positions() const { return x.size() > 0; }
+  SolveStatus outcome() const { return baselines::outcome(status); }
 };
+
+/// Returns the trace as a table: iteration, seconds, energy, min_eigenvalue, min_det_F, distortion, inverted,
+/// infeasible.
+Trace trace_table(const Result& result);
 
 }  // namespace isostretch::baselines

@@ -2,6 +2,7 @@
 
 #include <isostretch/baselines/instance.hpp>
 #include <isostretch/baselines/result.hpp>
+#include <isostretch/core/stop_token.hpp>
 
 #include <filesystem>
 #include <functional>
@@ -20,9 +21,9 @@ struct Limits {
 struct Options {
   double tolerance = 1e-6;  // asked for, relative, in the terms of each solver's own stopping rule
   Limits limits;
-  // Asked after every iterate, and some twenty times a second while a program runs; false stops the run
-  // (Status::callback). For Ctrl-C, say. May be empty.
-  std::function<bool()> keep_going;
+  /// Asked after every iterate, and some twenty times a second while a program runs; a request to stop ends
+  /// the run with Status::callback.
+  StopToken stop;
   // Where solvers that are programs exchange files; empty: the system's. Nothing is left there.
   std::filesystem::path temporary_folder;
 
@@ -30,7 +31,7 @@ struct Options {
   void validate() const;
 };
 
-enum class CallbackAction { proceed, stop };
+using isostretch::CallbackAction;
 // Called for every point of the trace.
 using PointCallback = std::function<CallbackAction(const Point&, const Vector& x)>;
 

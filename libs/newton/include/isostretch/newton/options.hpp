@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/core/stop_token.hpp>
 #include <isostretch/projection/filter.hpp>
 #include <isostretch/sparse/options.hpp>
 
@@ -56,6 +57,8 @@ struct Options {
   double relative_energy_tolerance = 0;
   int max_iterations = 1000;
   double time_limit = 0;  // seconds
+  /// Asked between iterations; the solve ends as with a callback, or with the limit of time, when it says so.
+  StopToken stop;
 
   LineSearch line_search = LineSearch::backtracking;
   double armijo = 1e-4;  // share of the slope's promise that must be gained

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/core/solve_status.hpp>
 #include <isostretch/core/vector.hpp>
 #include <isostretch/newton/objective.hpp>
 #include <isostretch/newton/options.hpp>
@@ -11,7 +12,7 @@
 
 namespace isostretch::newton {
 
-enum class CallbackAction { proceed, stop };
+using isostretch::CallbackAction;
 
 /// Called after the start and after every iteration with the row just added to the trace and the positions. A
 /// callback may take them as an Eigen::VectorXd: they are copied then.

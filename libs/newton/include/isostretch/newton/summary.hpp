@@ -1,5 +1,8 @@
 #pragma once
 
+#include <isostretch/core/phase_times.hpp>
+#include <isostretch/core/solve_status.hpp>
+#include <isostretch/core/trace.hpp>
 #include <isostretch/projection/filter.hpp>
 
 #include <cstddef>
@@ -29,6 +32,8 @@ enum class Status {
 std::string_view status_name(Status status) noexcept;
 bool converged(Status status) noexcept;
 bool failed(Status status) noexcept;
+/// Returns the status in the words that all methods share.
+SolveStatus outcome(Status status) noexcept;
 
 // One row of the trace. Row 0 is the start.
 struct Iteration {
@@ -54,6 +59,9 @@ struct Seconds {
   double factorization = 0;
   double solve = 0;
   double line_search = 0;
+
+  /// Returns the phases by name; "minimize" is the total.
+  PhaseTimes phases() const;
 };
 
 struct Summary {
@@ -72,9 +80,17 @@ struct Summary {
   std::vector<Iteration> trace;
 
   bool converged() const { return newton::converged(status); }
+  SolveStatus outcome() const { return newton::outcome(status); }
+  /// Adds the iterations, factorizations, evaluations and seconds of another solve. Energies, status and
+  /// trace stay.
+  void add_effort(const Summary& other);
   // One line, and all there is to say; both are functions of the struct alone.
   std::string brief_report() const;
   std::string full_report() const;
 };
+
+/// Returns the trace as a table: iteration, seconds, energy, gradient_inf_norm, step, decrement,
+/// filter_strength, points_filtered, factorizations, evaluations.
+Trace trace_table(const Summary& summary);
 
 }  // namespace isostretch::newton

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <isostretch/core/stop_token.hpp>
 #include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/parameterization/tutte.hpp>
 #include <isostretch/parameterization/untangle.hpp>
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +24,7 @@ struct StartOptions {
   parameterization::TutteOptions tutte;
   bool keep_boundary = false;  // untangling leaves the boundary where Tutte's embedding has it
   UntangleOptions untangle;
-  std::function<bool()> keep_going;  // asked now and then; false ends the work with what there is
+  StopToken stop;  ///< asked now and then; a request to stop ends the work with what there is
 };
 
 struct StartResult {

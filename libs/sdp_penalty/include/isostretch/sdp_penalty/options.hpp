@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/core/stop_token.hpp>
 #include <isostretch/sparse/options.hpp>
 
 #include <string_view>
@@ -71,6 +72,8 @@ struct Options {
   PenaltyOptions penalty;
   AugmentedLagrangianOptions augmented_lagrangian;
   sparse::Options solver;
+  /// Asked after every iterate; the solve ends as with a callback when it says so.
+  StopToken stop;
 
   // Throws Error naming the first option that makes no sense.
   void validate() const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/core/solve_status.hpp>
 #include <isostretch/core/vector.hpp>
 #include <isostretch/sdp_penalty/options.hpp>
 #include <isostretch/sdp_penalty/problem.hpp>
@@ -10,7 +11,7 @@
 
 namespace isostretch::sdp_penalty {
 
-enum class CallbackAction { proceed, stop };
+using isostretch::CallbackAction;
 using IterationCallback = std::function<CallbackAction(const Iteration&, const Vector& x)>;
 
 // Solves one problem after the other. What does not change between them is kept: the sparsity with its

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <isostretch/core/solve_status.hpp>
+#include <isostretch/core/trace.hpp>
+
 #include <limits>
 #include <string>
 #include <string_view>
@@ -20,6 +23,8 @@ enum class Status {
 };
 
 std::string_view status_name(Status status) noexcept;
+/// Returns the status in the words that all methods share.
+SolveStatus outcome(Status status) noexcept;
 
 // One row of the trace. Row 0 is ex-rotated skinning, the minimiser without constraints.
 struct Iteration {
@@ -62,6 +67,11 @@ struct Summary {
   std::vector<Iteration> trace;
 
   bool feasible() const { return infeasible == 0; }
+  SolveStatus outcome() const { return sdp_penalty::outcome(status); }
 };
+
+/// Returns the trace as a table: iteration, seconds, energy, lower_bound, gap, min_eigenvalue,
+/// complementarity, penalty_factor, step, inverted, infeasible. The gap is relative.
+Trace trace_table(const Summary& summary);
 
 }  // namespace isostretch::sdp_penalty
