@@ -1,11 +1,11 @@
 #include "common/animation.hpp"
 
-#include "common/formatted.hpp"
 #include "common/html.hpp"
 #include "common/rig_figure.hpp"
 
 #include <isostretch/core/base64.hpp>
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/mesh_io/io.hpp>
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 #include "common/exit_code.hpp"
 #include "common/figures/edges.hpp"
 #include "common/fingerprint.hpp"
-#include "common/formatted.hpp"
 #include "common/terminal.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/fem/elements.hpp>
 #include <isostretch/fem/quadratic.hpp>
 #include <isostretch/mesh/generators.hpp>
@@ -257,7 +257,7 @@ Body load_body(const BodySpec& spec) {
 }
 
 Body body_from(ElementMesh m, const BodySpec& spec) {
-  return naming_file(spec.file, [&] {
+  return with_error_prefix(spec.file.string(), [&] {
     std::optional<Plane> plane;
     if (mesh::shape_dim(m.shape) == 2) plane = flatten(m);
     if (plane && plane->v != Plane().v) notice(spec.file.string() + ": " + axes_text(*plane));

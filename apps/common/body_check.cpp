@@ -1,10 +1,10 @@
 #include "common/body_check.hpp"
 
 #include "common/body_file.hpp"
-#include "common/formatted.hpp"
 #include "common/terminal.hpp"
 
 #include <isostretch/assembly/elements.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/fem/quadrature.hpp>
 #include <isostretch/fem/shape_functions.hpp>
 #include <isostretch/surface/check.hpp>

@@ -1,10 +1,10 @@
 #include "common/body_file.hpp"
 
 #include "common/exit_code.hpp"
-#include "common/formatted.hpp"
 #include "common/terminal.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/mesh/weld.hpp>
 #include <isostretch/mesh_io/io.hpp>
 #include <isostretch/surface/repair.hpp>
@@ -143,7 +143,8 @@ ElementMesh read_body_file(const BodySpec& spec) {
       mesh::read_elements(path, {.leave_out_faces = spec.repair.repair,
                                  .face_advice = spec.repair.offered ? "; --repair leaves it out" : ""});
   if (spec.repair.weld)
-    if (const int welded = naming_file(spec.file, [&] { return mesh::weld(m, *spec.repair.weld); });
+    if (const int welded =
+            with_error_prefix(spec.file.string(), [&] { return mesh::weld(m, *spec.repair.weld); });
         welded > 0)
       notice(path + ": " + std::to_string(welded) + " vertices welded to others");
   return m;

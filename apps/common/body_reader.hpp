@@ -17,7 +17,7 @@ void read_mesh(const JsonValue& mesh, const std::filesystem::path& folder, BodyS
 template <class Work>
 auto reading_body(const std::filesystem::path& input, const BodySpec& spec, Work&& work) {
   if (spec.generated) return reading_scene(input, std::forward<Work>(work));
-  return failing_with(ExitCode::input, std::forward<Work>(work));
+  return with_error_kind(ErrorKind::input, std::forward<Work>(work));
 }
 
 }  // namespace isostretch::app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <isostretch/core/text.hpp>
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -30,13 +32,6 @@ template <class Choice, std::size_t N>
 const char* name_of(const ChoiceNames<Choice, N>& names, Choice choice) {
   return std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == choice; })
       ->first;
-}
-
-// "a, b, c".
-inline std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 }  // namespace isostretch::app

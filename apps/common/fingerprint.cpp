@@ -1,6 +1,6 @@
 #include "common/fingerprint.hpp"
 
-#include "common/formatted.hpp"
+#include <isostretch/core/text.hpp>
 
 namespace isostretch::app {
 

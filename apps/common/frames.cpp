@@ -1,9 +1,9 @@
 #include "common/frames.hpp"
 
 #include "common/exit_code.hpp"
-#include "common/formatted.hpp"
 #include "common/vtu.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/mesh_io/io.hpp>
 

@@ -1,9 +1,9 @@
 #include "common/guess.hpp"
 
-#include "common/formatted.hpp"
 #include "common/terminal.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/text.hpp>
 
 #include <utility>
 

@@ -1,7 +1,8 @@
 #include "common/handle_misses.hpp"
 
-#include "common/formatted.hpp"
 #include "common/html.hpp"
+
+#include <isostretch/core/text.hpp>
 
 #include <nlohmann/json.hpp>
 

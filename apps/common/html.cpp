@@ -1,9 +1,9 @@
 #include "common/html.hpp"
 
-#include "common/formatted.hpp"
 #include "common/utf8.hpp"
 
 #include <isostretch/core/base64.hpp>
+#include <isostretch/core/text.hpp>
 
 #include <algorithm>
 #include <cctype>

@@ -5,10 +5,14 @@
 namespace isostretch::app {
 namespace {
 
-volatile std::sig_atomic_t signal_seen = 0;
+// Made before any signal can come.
+const StopSource& source() {
+  static const StopSource instance;
+  return instance;
+}
 
 extern "C" void note_signal(int) {
-  signal_seen = 1;
+  source().request_stop();
   // Whichever of the two comes second ends the program, also when it is not the one that came first.
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
@@ -17,12 +21,17 @@ extern "C" void note_signal(int) {
 }  // namespace
 
 void catch_interrupts() {
+  source();
   std::signal(SIGINT, note_signal);
   std::signal(SIGTERM, note_signal);
 }
 
+StopToken interrupt_token() {
+  return source().token();
+}
+
 bool interrupted() noexcept {
-  return signal_seen != 0;
+  return interrupt_token().stop_requested();
 }
 
 }  // namespace isostretch::app

@@ -1,9 +1,9 @@
 #include "common/material.hpp"
 
 #include "common/choice_names.hpp"
-#include "common/formatted.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/text.hpp>
 
 #include <functional>
 #include <utility>

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
   try {
-    failing_with(ExitCode::output, [this] {
+    with_error_kind(ErrorKind::resource, [this] {
       make_folder();
       const AtomicFile probe((folder_ / "writable").string());  // never committed
     });
@@ -33,11 +33,11 @@ void OutputFolder::make_folder() {
   for (fs::path p = folder_; !p.empty() && !fs::exists(p); p = p.parent_path()) made_.push_back(p);
   std::reverse(made_.begin(), made_.end());
   if (fs::exists(folder_) && !fs::is_directory(folder_))
-    throw Failure(ExitCode::output, folder_.string() + ": cannot write there: is not a folder");
+    throw Error(ErrorKind::resource, folder_.string() + ": cannot write there: is not a folder");
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error)
-    throw Failure(ExitCode::output, folder_.string() + ": cannot make the folder: " + error.message());
+    throw Error(ErrorKind::resource, folder_.string() + ": cannot make the folder: " + error.message());
 }
 
 void OutputFolder::take_folders_away() noexcept {
@@ -47,7 +47,7 @@ void OutputFolder::take_folders_away() noexcept {
 }
 
 void OutputFolder::add(const std::string& name, std::string_view content) {
-  failing_with(ExitCode::output, [&] {
+  with_error_kind(ErrorKind::resource, [&] {
     auto file = std::make_unique<AtomicFile>((folder_ / name).string());
     file->write(content);
     files_.push_back(std::move(file));
@@ -56,7 +56,7 @@ void OutputFolder::add(const std::string& name, std::string_view content) {
 }
 
 void OutputFolder::write_now(const std::string& name, std::string_view content) {
-  failing_with(ExitCode::output, [&] {
+  with_error_kind(ErrorKind::resource, [&] {
     AtomicFile file((folder_ / name).string());
     file.write(content);
     file.commit();
@@ -72,7 +72,7 @@ void OutputFolder::add_json(const std::string& name, const Json& json) {
 }
 
 void OutputFolder::commit() {
-  failing_with(ExitCode::output, [this] {
+  with_error_kind(ErrorKind::resource, [this] {
     for (auto& file : files_) file->commit();
   });
   committed_ = true;

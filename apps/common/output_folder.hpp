@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 // The folder an app writes to, made when it is not there. Files added appear in it all together at commit()
 // or not at all, and without commit() folders that were made are taken away again, unless something was
-// written at once. Everything throws Failure with ExitCode::output.
+// written at once. Everything throws Error.
 class OutputFolder {
  public:
   // Fails at once, before hours of work, when files cannot be made there.

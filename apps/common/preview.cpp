@@ -1,10 +1,11 @@
 #include "common/preview.hpp"
 
 #include "common/figures/handle_figure.hpp"
-#include "common/formatted.hpp"
 #include "common/output_folder.hpp"
 #include "common/rig_figure.hpp"
 #include "common/terminal.hpp"
+
+#include <isostretch/core/text.hpp>
 
 #include <algorithm>
 #include <array>

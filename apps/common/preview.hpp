@@ -26,7 +26,7 @@ std::string preview_table(const Preview& preview);
 /// PNG.
 std::string draw_preview(const Preview& preview);
 
-/// Writes the picture to preview.png in that folder and prints the table. Throws Failure with
+/// Writes the picture to preview.png in that folder and prints the table. Throws Error with
 /// ExitCode::output.
 ExitCode show_preview(const Preview& preview, const std::filesystem::path& out);
 

@@ -1,11 +1,11 @@
 #include "common/program_run.hpp"
 
 #include "common/exit_code.hpp"
-#include "common/formatted.hpp"
 #include "common/interrupt.hpp"
 
 #include <isostretch/baselines/result.hpp>
 #include <isostretch/core/atomic_file.hpp>
+#include <isostretch/core/text.hpp>
 
 #include <fstream>
 #include <sstream>
@@ -147,7 +147,7 @@ Json json_of(const fs::path& file) {
 ProgramResult run_program(const ProgramRun& run) {
   ProgramResult result;
   result.process =
-      is_there(run) ? read_process(run) : failing_with(ExitCode::output, [&] { return execute(run); });
+      is_there(run) ? read_process(run) : with_error_kind(ErrorKind::resource, [&] { return execute(run); });
   // What a program writes when it is ended for its time says that somebody stopped it.
   if (!result.process.timed_out) result.summary = read_summary(run);
   if (!result.has_summary()) explain(text_of(run.folder / "errors.txt"), result);

@@ -33,7 +33,7 @@ struct ProgramResult {
 
 // What came of it. A run that is there already, made of the same, is not made again; one that Ctrl-C ended,
 // or that ended by itself without results, is. Beside the results lie process.json, log.txt, errors.txt and
-// run.txt, what the run was made of. Throws Failure with ExitCode::output where the folder cannot be written.
+// run.txt, what the run was made of. Throws Error where the folder cannot be written.
 ProgramResult run_program(const ProgramRun& run);
 
 // By which a file is known to be the same: size and time of the last change.

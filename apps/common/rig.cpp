@@ -1,8 +1,7 @@
 #include "common/rig.hpp"
 
-#include "common/formatted.hpp"
-
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/handles/elements.hpp>
 
 #include <algorithm>

@@ -60,16 +60,16 @@ ExitCode parse_and_run(int argc, const char* const* argv, const AppDescription& 
   description.declare(cli);
   declare_common(cli, options);
   try {
-    failing_with(ExitCode::command_line, [&] { cli.parse(argc, argv); });
+    with_error_kind(ErrorKind::misuse, [&] { cli.parse(argc, argv); });
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0)
-      throw Failure(ExitCode::command_line, std::string(error.what()) + " (--help lists the options)");
+      throw Error(ErrorKind::misuse, std::string(error.what()) + " (--help lists the options)");
     cli.exit(error, std::cout, std::cerr);
     return ExitCode::success;
   }
-  failing_with(ExitCode::output, [&] { start_logging(options.logging()); });
+  with_error_kind(ErrorKind::resource, [&] { start_logging(options.logging()); });
   set_threads(options.threads);
-  failing_with(ExitCode::command_line, [] { active_isa(); });  // ISOSTRETCH_ISA may ask for the impossible
+  with_error_kind(ErrorKind::misuse, [] { active_isa(); });  // ISOSTRETCH_ISA may ask for the impossible
   catch_interrupts();
   return description.body(options);
 }
@@ -93,8 +93,8 @@ int run_app(int argc, const char* const* argv, const AppDescription& description
   try {
     try {
       return static_cast<int>(parse_and_run(argc, argv, description));
-    } catch (const Failure& failure) {
-      return fail(failure.code(), failure.what());
+    } catch (const Error& error) {
+      return fail(exit_code_of(error.kind()), error_text(error));
     } catch (const std::bad_alloc&) {
       return fail(ExitCode::internal_error, "out of memory");
     } catch (const std::exception& error) {

@@ -29,9 +29,9 @@ const EmbeddedScene* scene_named(const fs::path& input, const std::vector<Embedd
 }
 
 [[noreturn]] void fail_unknown(const fs::path& input) {
-  throw Failure(ExitCode::input, input.string() +
-                                     ": there is no file of that name, and no scene of that name comes with "
-                                     "the program (--list-scenes shows them)");
+  throw Error(ErrorKind::input, input.string() +
+                                    ": there is no file of that name, and no scene of that name comes with "
+                                    "the program (--list-scenes shows them)");
 }
 
 // What a scene shows is the comment that it begins with.
@@ -61,10 +61,10 @@ Json scene_object(const fs::path& input, const std::vector<std::string>& keys,
   const EmbeddedScene* scene = is_name ? scene_named(input, embedded) : nullptr;
   if (is_name && scene == nullptr && (!input.has_extension() || is_scene_file(input))) fail_unknown(input);
   if (!is_scene_file(input)) return Json::object();
-  return failing_with(ExitCode::input, [&] {
+  return with_error_kind(ErrorKind::input, [&] {
     const Json json =
         scene != nullptr ? parse_json(std::string(scene->text), input.string()) : read_json_file(input);
-    naming_file(input, [&] { JsonValue(json).only(keys); });
+    with_error_prefix(input.string(), [&] { JsonValue(json).only(keys); });
     return json;
   });
 }

@@ -27,7 +27,7 @@ inline std::filesystem::path scene_folder(const std::filesystem::path& input) {
 }
 
 /// Returns an object with these keys: from the scene file; where there is none of that name, from the
-/// embedded scene of that name; empty when the input is a mesh. Throws Failure naming the file, and for a
+/// embedded scene of that name; empty when the input is a mesh. Throws Error naming the file, and for a
 /// name that is neither a file nor a scene.
 Json scene_object(const std::filesystem::path& input, const std::vector<std::string>& keys,
                   const std::vector<EmbeddedScene>& embedded = {});
@@ -43,8 +43,8 @@ void declare_scene_list(CLI::App& cli, const std::vector<EmbeddedScene>& embedde
 // is wrong in a mesh is that of the mesh in any case.
 template <class Work>
 auto reading_scene(const std::filesystem::path& input, Work&& work) {
-  if (!is_scene_file(input)) return failing_with(ExitCode::command_line, std::forward<Work>(work));
-  return failing_with(ExitCode::input, [&] { return naming_file(input, work); });
+  if (!is_scene_file(input)) return with_error_kind(ErrorKind::misuse, std::forward<Work>(work));
+  return with_error_kind(ErrorKind::input, [&] { return with_error_prefix(input.string(), work); });
 }
 
 }  // namespace isostretch::app

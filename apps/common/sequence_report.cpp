@@ -1,8 +1,9 @@
 #include "common/sequence_report.hpp"
 
-#include "common/formatted.hpp"
 #include "common/frames.hpp"
 #include "common/terminal.hpp"
+
+#include <isostretch/core/text.hpp>
 
 #include <utility>
 #include <vector>

@@ -20,7 +20,7 @@ Body read_body(const JsonValue& value, const std::filesystem::path& folder) {
   if (const auto order = value.find("order")) spec.order = order->whole(1, 2);
   if (const auto quadrature = value.find("quadrature")) spec.quadrature = quadrature->whole(1, 5);
   const auto load = [&] { return load_body(spec); };
-  return spec.generated ? naming(value.at("mesh"), load) : failing_with(ExitCode::input, load);
+  return spec.generated ? naming(value.at("mesh"), load) : with_error_kind(ErrorKind::input, load);
 }
 
 HandleScript read_script(const JsonValue& value, int dim) {

@@ -164,12 +164,11 @@ void CommandLine::add_problems(Json& scene) const {
 Json CommandLine::scene() const {
   Json scene = scene_object(scene_file_, scene_keys(), embedded_scenes());
   if (!scene_file_.empty() && !is_scene_file(scene_file_))
-    throw Failure(ExitCode::command_line,
-                  "--scene: a scene is FILE.json, not '" + scene_file_.string() + "'");
+    throw Error(ErrorKind::misuse, "--scene: a scene is FILE.json, not '" + scene_file_.string() + "'");
   if (scene_file_.empty()) {
     if (meshes_.empty())
-      throw Failure(ExitCode::command_line, "there is nothing to compare on: give a mesh, or --scene");
-    failing_with(ExitCode::command_line, [&] { add_problems(scene); });
+      throw Error(ErrorKind::misuse, "there is nothing to compare on: give a mesh, or --scene");
+    with_error_kind(ErrorKind::misuse, [&] { add_problems(scene); });
   }
   if (methods_) scene["methods"] = split(*methods_, ',');
   if (gradient_tolerance_) scene["gradient_tolerance"] = *gradient_tolerance_;
@@ -182,7 +181,7 @@ Json CommandLine::scene() const {
 
 Options CommandLine::options(const Json& scene) const {
   if (methods_)
-    failing_with(ExitCode::command_line, [&] {
+    with_error_kind(ErrorKind::misuse, [&] {
       return naming_option("--method", [&] { return choose_methods(split(*methods_, ',')); });
     });
   Options options = reading_scene(scene_file_, [&] { return read_options(scene); });
@@ -195,7 +194,7 @@ SingleRun CommandLine::single_run() const {
   SingleRun run;
   const Json json = scene();
   const Options all = options(json);
-  if (all.methods.size() != 1) throw Failure(ExitCode::command_line, "--run: takes one --method");
+  if (all.methods.size() != 1) throw Error(ErrorKind::misuse, "--run: takes one --method");
   run.problem = run_;
   run.method = all.methods.front();
   run.limits = all.limits;

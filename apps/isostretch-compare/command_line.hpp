@@ -23,7 +23,7 @@ class CommandLine {
   void declare(CLI::App& cli);
 
   // The scene file, or one made of the meshes and energies, with what the command line adds or replaces.
-  // Throws Failure: with ExitCode::command_line naming the option at fault, with ExitCode::input where it is
+  // Throws Error: with ExitCode::command_line naming the option at fault, with ExitCode::input where it is
   // a scene file.
   Json scene() const;
   // Of that scene.

@@ -1,6 +1,5 @@
 #include "compare.hpp"
 
-#include "common/formatted.hpp"
 #include "common/interrupt.hpp"
 #include "common/machine.hpp"
 #include "common/scene_input.hpp"
@@ -14,6 +13,8 @@
 #include "scene_reader.hpp"
 #include "tables.hpp"
 #include "verdicts.hpp"
+
+#include <isostretch/core/text.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "comparison.hpp"
 
-#include "common/formatted.hpp"
+#include <isostretch/core/text.hpp>
 
 #include <algorithm>
 #include <cmath>

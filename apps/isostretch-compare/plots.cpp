@@ -1,8 +1,9 @@
 #include "plots.hpp"
 
 #include "common/figures/comparison_plot.hpp"
-#include "common/formatted.hpp"
 #include "verdicts.hpp"
+
+#include <isostretch/core/text.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,12 +3,12 @@
 #include "body_problem.hpp"
 #include "common/exit_code.hpp"
 #include "common/fingerprint.hpp"
-#include "common/formatted.hpp"
 #include "common/strain.hpp"
 #include "scene_reader.hpp"
 #include "surface_problem.hpp"
 
 #include <isostretch/assembly/energy_assembler.hpp>
+#include <isostretch/core/text.hpp>
 
 #include <cmath>
 
@@ -23,11 +23,11 @@ double energy_at_start(const Problem& problem) {
 void require_finite_start(const Problem& problem) {
   if (std::isfinite(energy_at_start(problem))) return;
   const StrainField strain = Strain(problem.distortion.elements).at(problem.start);
-  throw Failure(ExitCode::input,
-                "problem '" + problem.name + "': the energy '" + problem.distortion.energy.name() +
-                    "' is not finite at the start, where element " + std::to_string(strain.worst_element()) +
-                    formatted(" has det F = %.3g; move the handles less far, or choose another guess",
-                              strain.smallest_det()));
+  throw Error(ErrorKind::input,
+              "problem '" + problem.name + "': the energy '" + problem.distortion.energy.name() +
+                  "' is not finite at the start, where element " + std::to_string(strain.worst_element()) +
+                  formatted(" has det F = %.3g; move the handles less far, or choose another guess",
+                            strain.smallest_det()));
 }
 
 // By which results of another problem of the same name are known.

@@ -1,10 +1,10 @@
 #include "report_page.hpp"
 
-#include "common/formatted.hpp"
 #include "common/html.hpp"
 #include "common/report_style.hpp"
 #include "verdicts.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/version.hpp>
 
 #include <algorithm>

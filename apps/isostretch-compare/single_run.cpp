@@ -28,8 +28,7 @@ Problem problem_named(const std::string& name, const Json& scene, const fs::path
       if (problem_name(value) == name) return read_problem(value, scene_folder(scene_file));
       names.push_back(problem_name(value));
     }
-    throw Failure(ExitCode::command_line,
-                  "--run: there is no problem '" + name + "'; there are " + listed(names));
+    throw Error(ErrorKind::misuse, "--run: there is no problem '" + name + "'; there are " + listed(names));
   });
 }
 
@@ -39,8 +38,8 @@ Vector read_positions(const fs::path& file, Eigen::Index size) {
   std::ifstream in(file, std::ios::binary);
   if (!in || !fs::is_regular_file(file) || fs::file_size(file) != static_cast<std::uintmax_t>(bytes) ||
       !in.read(reinterpret_cast<char*>(x.data()), bytes))
-    throw Failure(ExitCode::input,
-                  file.string() + ": must hold " + std::to_string(size) + " numbers of this problem");
+    throw Error(ErrorKind::input,
+                file.string() + ": must hold " + std::to_string(size) + " numbers of this problem");
   return x;
 }
 
@@ -84,7 +83,7 @@ ExitCode run_single(const SingleRun& run, const Json& scene, const fs::path& sce
   Vector x = run.from.empty() ? problem.start : read_positions(run.from, problem.start.size());
   OutputFolder folder(run.out);
   const newton::Summary summary =
-      failing_with(ExitCode::solver_failed, [&] { return minimize(run, problem, x); });
+      with_error_kind(ErrorKind::unsolved, [&] { return minimize(run, problem, x); });
   folder.add("trace.csv", trace_csv(summary));
   folder.add("positions.bin", bytes_of(x));
   folder.add_json("summary.json", summary_json(run, problem, summary, x));

@@ -28,16 +28,17 @@ Surface read_surface(const JsonValue& value, const fs::path& folder) {
     return {"face", naming(value, [&] { return mesh::procedural_face(rings); })};
   }
   const fs::path file = folder / value.text();
-  return {file.string(), failing_with(ExitCode::input, [&] { return mesh::read_surface(file.string()); })};
+  return {file.string(),
+          with_error_kind(ErrorKind::input, [&] { return mesh::read_surface(file.string()); })};
 }
 
 void require_disk(const Surface& surface) {
   try {
     mesh::require_disk(surface.mesh);
   } catch (const Error& error) {
-    throw Failure(ExitCode::input, surface.name + ": " + error.what() +
-                                       "; what is compared flattens disks: open the surface first, "
-                                       "isostretch-parameterize can");
+    throw Error(ErrorKind::input, surface.name + ": " + error.what() +
+                                      "; what is compared flattens disks: open the surface first, "
+                                      "isostretch-parameterize can");
   }
 }
 
@@ -57,8 +58,8 @@ Problem surface_problem(const JsonValue& value, const fs::path& folder) {
   require_disk(surface);
   Problem problem{
       {}, {{}, energy, {}}, {}, {{"kind", "surface"}, {"mesh", fs::path(surface.name).filename()}}};
-  failing_with(ExitCode::input, [&] {
-    naming_file(surface.name, [&] {
+  with_error_kind(ErrorKind::input, [&] {
+    with_error_prefix(surface.name.string(), [&] {
       mesh::ElementArrays rest = mesh::flat_elements(surface.mesh);
       mesh::scale_to_total_weight(rest, 1);
       problem.start = tutte_start(surface, rest);

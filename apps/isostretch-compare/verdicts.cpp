@@ -1,6 +1,6 @@
 #include "verdicts.hpp"
 
-#include "common/formatted.hpp"
+#include <isostretch/core/text.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -107,11 +107,11 @@ void CommandLine::declare_scene(CLI::App& cli) {
 }
 
 MeshRepair CommandLine::repair() const {
-  return failing_with(ExitCode::command_line, [this] { return repair_flags_.repair(); });
+  return with_error_kind(ErrorKind::misuse, [this] { return repair_flags_.repair(); });
 }
 
 Options CommandLine::options() const {
-  return failing_with(ExitCode::command_line, [this] {
+  return with_error_kind(ErrorKind::misuse, [this] {
     Options options;
     options.out = out_;
     options.look = look_;
@@ -129,7 +129,7 @@ Options CommandLine::options() const {
 
 void CommandLine::add_energy(Json& scene) const {
   const auto parameters =
-      failing_with(ExitCode::command_line, [this] { return parse_parameters(parameters_); });
+      with_error_kind(ErrorKind::misuse, [this] { return parse_parameters(parameters_); });
   if (energy_) scene["energy"] = *energy_;
   if (!scene.contains("energy")) scene["energy"] = "arap";
   if (!parameters.empty()) {
@@ -137,12 +137,12 @@ void CommandLine::add_energy(Json& scene) const {
     for (const auto& [name, value] : parameters) scene["energy"]["parameters"][name] = value;
   }
   if (young_.has_value() != poisson_.has_value())
-    throw Failure(ExitCode::command_line, "--young and --poisson go together");
+    throw Error(ErrorKind::misuse, "--young and --poisson go together");
   if (young_) scene["material"] = Json{{"young", *young_}, {"poisson", *poisson_}};
 }
 
 void CommandLine::add_handles(Json& scene) const {
-  failing_with(ExitCode::command_line, [&] {
+  with_error_kind(ErrorKind::misuse, [&] {
     for (const std::string& text : handles_)
       scene["handles"].push_back(handle_from_text(text, Holding::hard));
     if (has_scene_file() || look_.check) return;  // what it lacks is said when its turn comes
@@ -157,17 +157,18 @@ Json CommandLine::scene() const {
     add_energy(scene);
     add_handles(scene);
   } catch (const Json::exception&) {
-    throw Failure(ExitCode::input,
-                  input_.string() + ": energy or handles are nothing that the command line could add to");
+    throw Error(ErrorKind::input,
+                input_.string() + ": energy or handles are nothing that the command line could add to");
   }
   if (frames_) scene["frames"] = *frames_;
   if (guess_) scene["guess"] = *guess_;
   if (frame_flags_.format) scene["format"] = *frame_flags_.format;
   if (order_) scene["order"] = *order_;
   if (quadrature_) scene["quadrature"] = *quadrature_;
-  newton::Options newton =
-      failing_with(ExitCode::input, [&] { return naming_file(input_, [&] { return read_solver(scene); }); });
-  failing_with(ExitCode::command_line, [&] { solver_flags_.apply(newton); });
+  newton::Options newton = with_error_kind(ErrorKind::input, [&] {
+    return with_error_prefix(input_.string(), [&] { return read_solver(scene); });
+  });
+  with_error_kind(ErrorKind::misuse, [&] { solver_flags_.apply(newton); });
   scene["solver"] = solver_json(newton);
   return scene;
 }

@@ -3,7 +3,6 @@
 #include "common/animation.hpp"
 #include "common/body_check.hpp"
 #include "common/body_reader.hpp"
-#include "common/formatted.hpp"
 #include "common/handle_misses.hpp"
 #include "common/interrupt.hpp"
 #include "common/newton_report.hpp"
@@ -17,6 +16,7 @@
 #include "scene_reader.hpp"
 #include "state.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
 
 #include <utility>
@@ -88,7 +88,7 @@ class Job {
   }
 
   State restored() {
-    State state = failing_with(ExitCode::input, [&] { return read_state(options_.out, scene_, body_); });
+    State state = with_error_kind(ErrorKind::input, [&] { return read_state(options_.out, scene_, body_); });
     notice(formatted("going on after frame %d of %d", state.frame, scene_.script.frames));
     return state;
   }

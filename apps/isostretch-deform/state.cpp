@@ -102,7 +102,7 @@ State read_state(const std::filesystem::path& folder, const Scene& scene, const 
   if (!std::filesystem::exists(file))
     throw Error(file.string() + ": not there, so there is nothing for --restart to go on from");
   const Json json = read_json_file(file);
-  naming_file(file, [&] { require_same(json, scene, body); });
+  with_error_prefix(file.string(), [&] { require_same(json, scene, body); });
   if (!same_version(json))
     warn(file.string() +
          ": was made by another version or at another instruction-set level; "

@@ -55,7 +55,7 @@ void CommandLine::declare(CLI::App& cli) {
 }
 
 Options CommandLine::options() const {
-  return failing_with(ExitCode::command_line, [this] {
+  return with_error_kind(ErrorKind::misuse, [this] {
     Options options;
     options.energy = energy_;
     options.parameters = parse_parameters(parameters_);

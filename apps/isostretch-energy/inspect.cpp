@@ -1,12 +1,12 @@
 #include "inspect.hpp"
 
 #include "common/energy_choice.hpp"
-#include "common/formatted.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "maps.hpp"
 #include "report.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/expressions/expression.hpp>
 
 #include <algorithm>
@@ -52,8 +52,7 @@ void write(const Findings& findings, OutputFolder& folder) {
 
 ExitCode inspect(const CommandLine& command_line, const CommonOptions& common) {
   const Options options = command_line.options();
-  const energies::AnyEnergy energy =
-      failing_with(ExitCode::command_line, [&] { return read_energy(options); });
+  const energies::AnyEnergy energy = with_error_kind(ErrorKind::misuse, [&] { return read_energy(options); });
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
   const Findings findings = look_at(energy, options);

@@ -1,8 +1,9 @@
 #include "maps.hpp"
 
 #include "common/figures/axis.hpp"
-#include "common/formatted.hpp"
 #include "spectrum.hpp"
+
+#include <isostretch/core/text.hpp>
 
 #include <algorithm>
 #include <array>

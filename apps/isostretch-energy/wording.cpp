@@ -1,7 +1,6 @@
 #include "wording.hpp"
 
-#include "common/formatted.hpp"
-
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/expressions/expression.hpp>
 

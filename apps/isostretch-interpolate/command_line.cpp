@@ -77,7 +77,7 @@ void CommandLine::declare_energy(CLI::App& cli) {
 }
 
 Options CommandLine::options() const {
-  return failing_with(ExitCode::command_line, [this] {
+  return with_error_kind(ErrorKind::misuse, [this] {
     Options options = defaults_;
     options.first = first_;
     options.second = second_;

@@ -19,7 +19,7 @@ class CommandLine {
  public:
   void declare(CLI::App& cli);
 
-  // Throws Failure with ExitCode::command_line naming the option at fault.
+  // Throws Error naming the option at fault.
   Options options() const;
 
  private:

@@ -2,13 +2,13 @@
 
 #include "common/animation.hpp"
 #include "common/figures/edges.hpp"
-#include "common/formatted.hpp"
 #include "common/interrupt.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "common/timed.hpp"
 #include "report.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
 
 #include <algorithm>
@@ -32,15 +32,15 @@ class Job {
         common_(common),
         poses_(timed(seconds_.read,
                      [&] {
-                       return failing_with(ExitCode::input, [&] {
+                       return with_error_kind(ErrorKind::input, [&] {
                          return read_poses(options_.first, options_.second, options_.repair);
                        });
                      })),
-        energy_(failing_with(ExitCode::command_line,
-                             [&] {
-                               require_holds(options_.format, poses_.first);
-                               return choose_shape_energy(options_, poses_.first.dim);
-                             })),
+        energy_(with_error_kind(ErrorKind::misuse,
+                                [&] {
+                                  require_holds(options_.format, poses_.first);
+                                  return choose_shape_energy(options_, poses_.first.dim);
+                                })),
         strains_{Strain(poses_.first.elements), Strain(poses_.second.elements)},
         interpolator_(options_, poses_, energy_),
         animation_(poses_.first, outline(poses_.first)),

@@ -1,7 +1,8 @@
 #include "common/figures/deformation_figure.hpp"
 #include "common/figures/edges.hpp"
-#include "common/formatted.hpp"
 #include "report.hpp"
+
+#include <isostretch/core/text.hpp>
 
 namespace isostretch::app::interpolate {
 namespace {

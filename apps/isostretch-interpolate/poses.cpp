@@ -1,10 +1,10 @@
 #include "poses.hpp"
 
 #include "common/body_check.hpp"
-#include "common/formatted.hpp"
 #include "common/terminal.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/text.hpp>
 
 #include <algorithm>
 #include <string>
@@ -69,7 +69,7 @@ Poses read_poses(const std::filesystem::path& first, const std::filesystem::path
 
 ExitCode check_poses(const std::filesystem::path& first, const std::filesystem::path& second,
                      const MeshRepair& repair) {
-  return failing_with(ExitCode::input, [&] {
+  return with_error_kind(ErrorKind::input, [&] {
     BodySpec spec;
     spec.repair = repair;
     spec.file = first;

@@ -1,11 +1,11 @@
 #include "report.hpp"
 
-#include "common/formatted.hpp"
 #include "common/newton_report.hpp"
 #include "common/sequence_report.hpp"
 #include "common/threads.hpp"
 
 #include <isostretch/core/isa.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/version.hpp>
 
 #include <algorithm>

@@ -1,7 +1,8 @@
-#include "common/formatted.hpp"
 #include "common/html.hpp"
 #include "common/report_style.hpp"
 #include "report.hpp"
+
+#include <isostretch/core/text.hpp>
 
 namespace isostretch::app::interpolate {
 namespace {

@@ -1,10 +1,10 @@
 #include "sequence.hpp"
 
-#include "common/formatted.hpp"
 #include "common/interrupt.hpp"
 #include "common/newton_report.hpp"
 #include "common/terminal.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/newton/solver.hpp>
 
 #include <algorithm>

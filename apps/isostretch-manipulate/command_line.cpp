@@ -201,11 +201,11 @@ void CommandLine::declare_photo(CLI::App& cli) {
 }
 
 MeshRepair CommandLine::repair() const {
-  return failing_with(ExitCode::command_line, [this] { return repair_flags_.repair(); });
+  return with_error_kind(ErrorKind::misuse, [this] { return repair_flags_.repair(); });
 }
 
 Options CommandLine::options() const {
-  return failing_with(ExitCode::command_line, [this] {
+  return with_error_kind(ErrorKind::misuse, [this] {
     Options options;
     options.out = out_;
     options.look = look_;
@@ -234,17 +234,16 @@ std::string CommandLine::path_from_here(const std::string& file) const {
 
 void CommandLine::add_mesh(Json& scene) const {
   if (photo_cells_ && (mesh_ || (!input_.empty() && !has_scene_file())))
-    throw Failure(ExitCode::command_line, "--photo-cells makes the mesh: give no other");
+    throw Error(ErrorKind::misuse, "--photo-cells makes the mesh: give no other");
   if (!input_.empty() && !has_scene_file()) scene["mesh"] = input_.string();
   if (mesh_) scene["mesh"] = path_from_here(*mesh_);
   if (photo_cells_) scene["mesh"] = Json{{"photo_grid", {{"cells", *photo_cells_}}}};
   if (!scene.contains("mesh") && !has_scene_file())
-    throw Failure(ExitCode::command_line,
-                  "there is no mesh: give a file, a scene, or --photo with --photo-cells");
+    throw Error(ErrorKind::misuse, "there is no mesh: give a file, a scene, or --photo with --photo-cells");
 }
 
 void CommandLine::add_handles(Json& scene) const {
-  failing_with(ExitCode::command_line, [&] {
+  with_error_kind(ErrorKind::misuse, [&] {
     for (const std::string& text : handles_)
       scene["handles"].push_back(handle_from_text(text, Holding::soft));
     if (has_scene_file() || look_.check) return;  // what it lacks is said when its turn comes
@@ -260,7 +259,7 @@ void CommandLine::add_photo(Json& scene) const {
   }
   if (!photo_fit_) return;
   if (!scene.contains("photo"))
-    throw Failure(ExitCode::command_line, "--photo-fit says how a picture lies, and there is none");
+    throw Error(ErrorKind::misuse, "--photo-fit says how a picture lies, and there is none");
   scene["photo"]["fit"] = *photo_fit_;
 }
 
@@ -271,11 +270,11 @@ Json CommandLine::scene() const {
     add_handles(scene);
     add_photo(scene);
   } catch (const Json::exception&) {
-    throw Failure(ExitCode::input,
-                  input_.string() + ": handles or photo are nothing that the command line could add to");
+    throw Error(ErrorKind::input,
+                input_.string() + ": handles or photo are nothing that the command line could add to");
   }
   if (frames_ && frames_->find(':') == std::string::npos)
-    scene["frames"] = failing_with(ExitCode::command_line, [&] { return frame_number(*frames_, *frames_); });
+    scene["frames"] = with_error_kind(ErrorKind::misuse, [&] { return frame_number(*frames_, *frames_); });
   if (alpha_) scene["alpha"] = *alpha_;
   if (absolute_) scene["units"] = name_of(units_names, Units::mesh);
   if (weights_) scene["weights"] = *weights_;

@@ -1,6 +1,5 @@
 #include "compare.hpp"
 
-#include "common/formatted.hpp"
 #include "common/interrupt.hpp"
 #include "common/numbers.hpp"
 #include "common/sequence_report.hpp"
@@ -8,6 +7,8 @@
 #include "comparison.hpp"
 #include "input.hpp"
 #include "solver_run.hpp"
+
+#include <isostretch/core/text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -106,8 +107,8 @@ class Match {
         continue;
       std::string names;
       for (const baselines::SolverInfo& info : all) names.append(", ").append(info.name);
-      throw Failure(ExitCode::command_line,
-                    "--compare: there is no solver '" + word + "'; there are all, convex, nearby" + names);
+      throw Error(ErrorKind::misuse,
+                  "--compare: there is no solver '" + word + "'; there are all, convex, nearby" + names);
     }
   }
 
@@ -154,8 +155,8 @@ class Match {
         std::find_if(all.begin(), all.end(), [&](const auto& i) { return i.name == run.solver; });
     const Contestant best = runs_.contestant(*info, run);
     if (interrupted())
-      throw Failure(ExitCode::not_converged,
-                    "interrupted (Ctrl-C) before the optimum was known; the same command goes on");
+      throw Error(ErrorKind::stopped,
+                  "interrupted (Ctrl-C) before the optimum was known; the same command goes on");
     if (!best.has_positions() || best.frame.at("not_psd") != 0 || !best.frame.at("lower_bound").is_number())
       return warn("the optimum is not known (" + best.status + ": " + best.message + "), nor are errors");
     Comparison found = comparison;

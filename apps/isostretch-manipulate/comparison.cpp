@@ -1,11 +1,11 @@
 #include "comparison.hpp"
 
 #include "common/figures/comparison_plot.hpp"
-#include "common/formatted.hpp"
 #include "common/html.hpp"
 #include "common/report_style.hpp"
 #include "common/threads.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/core/version.hpp>
 

@@ -1,11 +1,11 @@
 #include "frame.hpp"
 
-#include "common/formatted.hpp"
 #include "common/interrupt.hpp"
 #include "common/memory_limit.hpp"
 #include "common/terminal.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/handles/elements.hpp>
 
 #include <algorithm>

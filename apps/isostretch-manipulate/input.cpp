@@ -1,9 +1,10 @@
 #include "input.hpp"
 
 #include "common/body_reader.hpp"
-#include "common/formatted.hpp"
 #include "common/scene_input.hpp"
 #include "scene_reader.hpp"
+
+#include <isostretch/core/text.hpp>
 
 namespace isostretch::app::manipulate {
 namespace {
@@ -47,8 +48,8 @@ Rig read_rig(const CommandLine& command_line, const Scene& scene, const Body& bo
 FrameRange read_range(const Options& options, const Scene& scene) {
   const FrameRange range = options.range.value_or(FrameRange{1, scene.script.frames});
   if (range.last > scene.script.frames)
-    throw Failure(ExitCode::command_line, formatted("--frames: there is no frame %d, the scene has %d",
-                                                    range.last, scene.script.frames));
+    throw Error(ErrorKind::misuse, formatted("--frames: there is no frame %d, the scene has %d", range.last,
+                                             scene.script.frames));
   return range;
 }
 

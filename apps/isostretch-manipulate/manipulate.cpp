@@ -1,7 +1,6 @@
 #include "manipulate.hpp"
 
 #include "common/animation.hpp"
-#include "common/formatted.hpp"
 #include "common/handle_misses.hpp"
 #include "common/preview.hpp"
 #include "common/rig_figure.hpp"
@@ -15,6 +14,7 @@
 #include "report.hpp"
 #include "scene_reader.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
 
 #include <utility>
@@ -71,8 +71,8 @@ class Job {
     const auto spec =
         reading_scene(command_line.input(), [&] { return read_photo_spec(json_, command_line.folder()); });
     if (!spec) return {};
-    return failing_with(ExitCode::input,
-                        [&] { return std::optional<PhotoFrames>(std::in_place, *spec, body_); });
+    return with_error_kind(ErrorKind::input,
+                           [&] { return std::optional<PhotoFrames>(std::in_place, *spec, body_); });
   }
 
   std::string name_of_run(const CommandLine& command_line) const {

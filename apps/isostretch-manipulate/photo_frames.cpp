@@ -1,7 +1,8 @@
 #include "photo_frames.hpp"
 
 #include "common/figures/photo_warp.hpp"
-#include "common/formatted.hpp"
+
+#include <isostretch/core/text.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
-#include "common/formatted.hpp"
 #include "common/handle_misses.hpp"
 #include "common/html.hpp"
 #include "common/report_style.hpp"
 #include "report.hpp"
+
+#include <isostretch/core/text.hpp>
 
 namespace isostretch::app::manipulate {
 namespace {

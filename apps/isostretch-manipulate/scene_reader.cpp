@@ -29,7 +29,7 @@ GridSpec photo_grid(const JsonValue& value, const std::optional<PhotoSpec>& phot
   if (!photo) value.fail("there is no picture; give 'photo'");
   // What is wrong in a picture is its own fault, whoever names it.
   const figures::Photo picture =
-      failing_with(ExitCode::input, [&] { return figures::read_photo(photo->file); });
+      with_error_kind(ErrorKind::input, [&] { return figures::read_photo(photo->file); });
   const double longer = std::max(picture.width(), picture.height());
   const double width = picture.width() / longer, height = picture.height() / longer;
   const auto count = [&](double size) { return std::max(1, static_cast<int>(std::lround(cells * size))); };

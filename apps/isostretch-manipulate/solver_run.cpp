@@ -1,9 +1,9 @@
 #include "solver_run.hpp"
 
-#include "common/formatted.hpp"
 #include "common/number_table.hpp"
 #include "common/program_run.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 
 #include <algorithm>

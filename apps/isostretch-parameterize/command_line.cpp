@@ -201,7 +201,7 @@ void require_consistent(const Options& options) {
 }  // namespace
 
 Options CommandLine::options() const {
-  return failing_with(ExitCode::command_line, [this] {
+  return with_error_kind(ErrorKind::misuse, [this] {
     Options options;
     options.model = model_;
     options.out = out_;
@@ -235,7 +235,7 @@ Options CommandLine::options() const {
 }
 
 energies::AnyEnergy CommandLine::energy() const {
-  return failing_with(ExitCode::command_line, [this] {
+  return with_error_kind(ErrorKind::misuse, [this] {
     const auto parameters = parse_parameters(parameters_);
     try {
       return choose_energy(energy_, parameters, 2);

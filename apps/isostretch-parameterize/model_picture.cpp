@@ -2,8 +2,8 @@
 
 #include "checker_square.hpp"
 #include "common/figures/model_figure.hpp"
-#include "common/formatted.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/surface/seams.hpp>
 
 namespace isostretch::app::parameterize {

@@ -1,6 +1,6 @@
 #include "outcome.hpp"
 
-#include "common/formatted.hpp"
+#include <isostretch/core/text.hpp>
 
 #include <cmath>
 
@@ -58,7 +58,7 @@ std::vector<std::string> layout_warnings(const Result& r) {
     warnings.push_back(
         "the layout has shrunk to a point: the energy falls as triangles shrink, without a least value");
   else if (!overlap.triangles.empty()) {
-    const std::size_t charts = charts_concerned(r.domain, overlap).size();
+    const std::size_t charts = parameterization::charts_concerned(r.domain, overlap).size();
     warnings.push_back("the layout lies on itself: " + counted(overlap.triangles.size(), "triangle") +
                        " of " + counted(charts, "chart") + (r.layout.packed ? "" : " (not packed)") +
                        " overlap, the first is " + std::to_string(overlap.triangles.front()) + "; " +

@@ -1,6 +1,6 @@
 #include "parameterize.hpp"
 
-#include "common/newton_report.hpp"
+#include "common/monitor.hpp"
 #include "common/output_folder.hpp"
 #include "common/terminal.hpp"
 #include "common/timed.hpp"
@@ -65,9 +65,23 @@ ExitCode conclude(const Result& result, const OutputFolder& folder, const Common
 }
 
 ExitCode print_check(const Options& options) {
-  bool clean = false;
-  print(check_report(options, clean));
-  return clean ? ExitCode::success : ExitCode::input;
+  const mesh::Report report = mesh::check(read_input(options).mesh);
+  print(to_text(report));
+  return flattenable(report) ? ExitCode::success : ExitCode::input;
+}
+
+parameterization::Parameterization flatten(const Input& input, const energies::AnyEnergy& energy,
+                                           const Options& options) {
+  return with_error_prefix(options.model.string(), [&] {
+    try {
+      return parameterization::parameterize(input.mesh, energy, options, terminal_monitor());
+    } catch (const Error& error) {
+      if (error.has_kind() || options.initial == Initial::input || options.repair ||
+          !repair_would_help(input.mesh))
+        throw;
+      throw Error(std::string(error.what()) + "; --repair mends that");
+    }
+  });
 }
 
 }  // namespace
@@ -77,13 +91,13 @@ ExitCode parameterize(const Options& options, const energies::AnyEnergy& energy,
   if (options.check) return print_check(options);
   const Timer timer;
   PhaseSeconds seconds;
-  Domain domain = timed(seconds.read, [&] { return read_domain(options); });
-  Start start = timed(seconds.initial, [&] { return make_start(domain, energy, options); });
+  const Input input = timed(seconds.read, [&] { return read_input(options); });
   OutputFolder folder(options.out);
-  Solution solution = solve(domain, start, energy, options);
-  const OverlapSplit split = split_overlap(domain, start, solution, options);
-  const Layout layout = lay_out(domain, start, solution, options);
-  const Result result{options, energy, domain, start, solution, layout, split};
+  const parameterization::Parameterization p = flatten(input, energy, options);
+  clear_progress();
+  seconds.read += p.times.seconds("domain");
+  seconds.initial = p.times.seconds("start");
+  const Result result{options, energy, input, p, p.domain, p.start, p.solution, p.layout, p.split};
   const Written written = timed(seconds.write, [&] { return write(folder, result); });
   seconds.total = timer.seconds();
   const Json summary = summary_json(result, seconds);

@@ -1,7 +1,8 @@
 #include "common/figures/solve_figure.hpp"
-#include "common/formatted.hpp"
 #include "outcome.hpp"
 #include "report.hpp"
+
+#include <isostretch/core/text.hpp>
 
 namespace isostretch::app::parameterize {
 namespace {

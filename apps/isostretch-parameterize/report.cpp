@@ -1,17 +1,17 @@
 #include "report.hpp"
 
 #include "choice_names.hpp"
-#include "common/formatted.hpp"
 #include "common/newton_report.hpp"
 #include "common/threads.hpp"
-#include "distortion_statistics.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <isostretch/core/isa.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/core/version.hpp>
+#include <isostretch/parameterization/distortion_statistics.hpp>
 #include <isostretch/surface/seams.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include <map>
 
@@ -22,6 +22,15 @@ Json parameters_json(const energies::AnyEnergy& energy) {
   Json json = Json::object();
   for (const auto& parameter : energy.parameters()) json[parameter.name] = parameter.value;
   return json;
+}
+
+Json distortion_json(const parameterization::DistortionStatistics& s) {
+  return {{"min_sigma", s.min_sigma},
+          {"mean_sigma", s.mean_sigma},
+          {"max_sigma", s.max_sigma},
+          {"mean_area_ratio", s.mean_area_ratio},
+          {"mean_sigma_ratio", s.mean_sigma_ratio},
+          {"max_sigma_ratio", s.max_sigma_ratio}};
 }
 
 Json pins_json(const Options& options) {
@@ -179,15 +188,10 @@ std::string verdict(const Result& r) {
   return text + "the best state is written";
 }
 
-mesh::SurfaceMesh textured(const Result& r) {
-  mesh::SurfaceMesh result = r.domain.input;
-  result.uv = r.layout.uv;
-  result.uv_triangles = r.domain.open().triangles;
-  return result;
-}
-
 std::string trace_text(const Result& r) {
-  return trace_csv(r.solution.summary, "chart", r.solution.chart_of_row);
+  Trace trace = newton::trace_table(r.solution.summary);
+  trace.add_column("chart", {r.solution.chart_of_row.begin(), r.solution.chart_of_row.end()});
+  return to_csv(trace);
 }
 
 Json summary_json(const Result& r, const PhaseSeconds& seconds) {
@@ -198,10 +202,11 @@ Json summary_json(const Result& r, const PhaseSeconds& seconds) {
   json["seconds"] = seconds_json(r.solution.summary, seconds);
   json["energy_name"] = r.energy.name();
   json["energy_parameters"] = parameters_json(r.energy);
-  json["distortion"] = distortion_json(distortion_statistics(r.solution.stretches, r.start.rest.weights));
+  json["distortion"] =
+      distortion_json(parameterization::distortion_statistics(r.solution.stretches, r.start.rest.weights));
   json["distortion"]["worst"] = r.solution.worst_distortion;
   json["mesh"] = mesh_json(r);
-  json["repairs"] = repairs_json(r.domain.repairs);
+  json["repairs"] = repairs_json(r.input.repairs);
   json["layout"] = layout_json(r);
   json["charts"] = charts_json(r);
   json["options"] = options_json(r.options);

@@ -2,11 +2,17 @@
 
 #include "common/exit_code.hpp"
 #include "common/output_folder.hpp"
-#include "layout.hpp"
+#include "input.hpp"
+
+#include <isostretch/parameterization/parameterize.hpp>
 
 #include <string>
 
 namespace isostretch::app::parameterize {
+
+using parameterization::Chart;
+using parameterization::Domain;
+using parameterization::Run;
 
 // Seconds of what surrounds the solve.
 struct PhaseSeconds {
@@ -20,18 +26,19 @@ struct PhaseSeconds {
 struct Result {
   const Options& options;
   const energies::AnyEnergy& energy;
+  const Input& input;
+  const parameterization::Parameterization& all;
   const Domain& domain;
-  const Start& start;
-  const Solution& solution;
-  const Layout& layout;
-  const OverlapSplit& split;
+  const parameterization::Start& start;
+  const parameterization::Solution& solution;
+  const parameterization::Layout& layout;
+  const parameterization::OverlapSplit& split;
 };
 
 ExitCode exit_code(const Result& result);
 // What went wrong, in one line; empty when nothing did.
 std::string verdict(const Result& result);
 
-mesh::SurfaceMesh textured(const Result& result);
 std::string trace_text(const Result& result);
 std::string draw_layout(const Result& result);
 Json summary_json(const Result& result, const PhaseSeconds& seconds);

@@ -1,8 +1,9 @@
 #include "report_tables.hpp"
 
-#include "common/formatted.hpp"
 #include "common/html.hpp"
 #include "outcome.hpp"
+
+#include <isostretch/core/text.hpp>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,8 @@
 #include "report_warnings.hpp"
 
-#include "common/formatted.hpp"
 #include "outcome.hpp"
+
+#include <isostretch/core/text.hpp>
 
 #include <nlohmann/json.hpp>
 

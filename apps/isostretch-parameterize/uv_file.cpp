@@ -8,11 +8,11 @@ namespace isostretch::app::parameterize {
 namespace {
 
 // Of the triangles of the document, rows of -1 for those that were removed.
-mesh::Triangles document_corners(const Domain& domain) {
-  const mesh::Triangles& open = domain.open().triangles;
-  const std::vector<int>& original = domain.repairs.original_triangle;
+mesh::Triangles document_corners(const Result& r) {
+  const mesh::Triangles& open = r.domain.open().triangles;
+  const std::vector<int>& original = r.input.repairs.original_triangle;
   if (original.empty()) return open;
-  mesh::Triangles corners = mesh::Triangles::Constant(domain.document->mesh().triangles.rows(), 3, -1);
+  mesh::Triangles corners = mesh::Triangles::Constant(r.input.document->mesh().triangles.rows(), 3, -1);
   for (std::size_t t = 0; t < original.size(); ++t)
     corners.row(original[t]) = open.row(static_cast<Eigen::Index>(t));
   return corners;
@@ -33,15 +33,14 @@ void tell(const mesh::ObjText& out) {
 }  // namespace
 
 std::string uv_file(const Result& r) {
-  const Domain& domain = r.domain;
-  if (!domain.document) return mesh::format_obj(textured(r));
-  if (!domain.repairs.turned.empty() || !domain.repairs.split_vertices.empty()) {
+  if (!r.input.document) return mesh::format_obj(r.all.textured());
+  if (!r.input.repairs.turned.empty() || !r.input.repairs.split_vertices.empty()) {
     notice(
         "the OBJ file has the repaired triangles alone: groups, materials, normals and polygons are not "
         "kept");
-    return mesh::format_obj(textured(r));
+    return mesh::format_obj(r.all.textured());
   }
-  const mesh::ObjText out = domain.document->with_uv(r.layout.uv, document_corners(domain));
+  const mesh::ObjText out = r.input.document->with_uv(r.layout.uv, document_corners(r));
   tell(out);
   return out.text;
 }

@@ -3,11 +3,11 @@
 #include "common/figures/edges.hpp"
 #include "common/figures/model_view.hpp"
 #include "common/figures/visibility.hpp"
-#include "common/formatted.hpp"
 #include "common/html.hpp"
 #include "common/utf8.hpp"
 
 #include <isostretch/core/base64.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/mesh/generators.hpp>
 
 #include <doctest/doctest.h>

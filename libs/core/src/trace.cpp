@@ -9,8 +9,8 @@ namespace isostretch {
 
 void Trace::add_column(const std::string& name, const std::vector<double>& values) {
   if (values.size() != rows.size())
-    throw Error(ErrorKind::misuse, "trace: " + std::to_string(values.size()) + " values of '" + name + "' for " +
-                                       std::to_string(rows.size()) + " rows");
+    throw Error(ErrorKind::misuse, "trace: " + std::to_string(values.size()) + " values of '" + name +
+                                       "' for " + std::to_string(rows.size()) + " rows");
   columns.push_back(name);
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(values[i]);
 }
@@ -22,7 +22,8 @@ void Trace::add_front_column(const std::string& name, double value) {
 
 void Trace::append(const Trace& other) {
   if (columns.empty() && rows.empty()) columns = other.columns;
-  if (columns != other.columns) throw Error(ErrorKind::misuse, "trace: rows of other columns cannot be added");
+  if (columns != other.columns)
+    throw Error(ErrorKind::misuse, "trace: rows of other columns cannot be added");
   rows.insert(rows.end(), other.rows.begin(), other.rows.end());
 }
 

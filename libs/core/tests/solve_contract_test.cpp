@@ -27,7 +27,8 @@ TEST_CASE("Error: the innermost kind stays, and what has none is input") {
     return std::pair(ErrorKind::input, std::string("nothing thrown"));
   };
   const auto bad = [] { throw Error("bad"); };
-  CHECK(kind_of([&] { with_error_kind(ErrorKind::misuse, bad); }) == std::pair(ErrorKind::misuse, std::string("bad")));
+  CHECK(kind_of([&] { with_error_kind(ErrorKind::misuse, bad); }) ==
+        std::pair(ErrorKind::misuse, std::string("bad")));
   CHECK(kind_of([&] {
           with_error_kind(ErrorKind::resource, [&] { with_error_kind(ErrorKind::misuse, bad); });
         }).first == ErrorKind::misuse);
@@ -39,7 +40,8 @@ TEST_CASE("StopToken: a request reaches all copies, a deadline only those that w
   CHECK_FALSE(StopToken().should_stop());
   CHECK(StopToken().seconds_left() == std::numeric_limits<double>::infinity());
   const StopSource source;
-  const StopToken token = source.token(), late = token.with_time_limit(1e300), past = token.with_time_limit(1e-12);
+  const StopToken token = source.token(), late = token.with_time_limit(1e300),
+                  past = token.with_time_limit(1e-12);
   while (!past.deadline_passed()) {
   }
   CHECK(past.should_stop());
@@ -66,7 +68,8 @@ TEST_CASE("Trace: tables grow by columns and rows, and their text reads back bit
   CHECK(all.rows.size() == 4);
   CHECK_THROWS_WITH_AS(all.append(Trace{{"other"}, {}}), doctest::Contains("columns"), Error);
   CHECK_THROWS_WITH_AS(all.column("step"), "trace: there is no column 'step'", Error);
-  CHECK_THROWS_WITH_AS(all.add_column("short", {1}), doctest::Contains("1 values of 'short' for 4 rows"), Error);
+  CHECK_THROWS_WITH_AS(all.add_column("short", {1}), doctest::Contains("1 values of 'short' for 4 rows"),
+                       Error);
 }
 
 TEST_CASE("PhaseTimes: phases keep their order and add up") {

@@ -101,6 +101,11 @@ void Summary::add_effort(const Summary& other) {
   seconds.line_search += other.seconds.line_search;
 }
 
+std::string progress_line(const Iteration& row) {
+  return format("iteration %d  energy %.8g  |gradient| %.2e  step %.3g  %.1f s", row.iteration, row.energy,
+                row.gradient_inf_norm, row.step, row.seconds);
+}
+
 Trace trace_table(const Summary& summary) {
   Trace trace{{"iteration", "seconds", "energy", "gradient_inf_norm", "step", "decrement", "filter_strength",
                "points_filtered", "factorizations", "evaluations"},

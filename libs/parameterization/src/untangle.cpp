@@ -1,4 +1,3 @@
-
 #include <isostretch/assembly/energy_assembler.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/log.hpp>

@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace isostretch {
@@ -34,13 +35,31 @@ class Error : public std::runtime_error {
   std::optional<ErrorKind> kind_;
 };
 
-/// Runs the work; an Error without a kind that leaves it gets this one.
+/// An option that makes no sense, alone or for this input. what() is "option: text".
+class OptionError : public Error {
+ public:
+  OptionError(const std::string& option, const std::string& text, ErrorKind kind = ErrorKind::misuse);
+  ~OptionError() override;
+
+  /// Returns the name of the member of the options, such as soft_pins.
+  const std::string& option() const noexcept { return option_; }
+  /// Returns what is wrong with it.
+  const std::string& text() const noexcept { return text_; }
+
+ private:
+  std::string option_, text_;
+};
+
+/// Runs the work; an Error without a kind that leaves it gets this one, and so does an error of the file
+/// system.
 template <class Work>
 auto with_error_kind(ErrorKind kind, Work&& work) {
   try {
     return std::forward<Work>(work)();
   } catch (const Error& error) {
     if (error.has_kind()) throw;
+    throw Error(kind, error.what());
+  } catch (const std::system_error& error) {
     throw Error(kind, error.what());
   }
 }

@@ -36,8 +36,8 @@ class StopToken {
     StopToken token = *this;
     if (!(seconds > 0)) return token;
     const auto deadline =
-        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
-                           std::min(seconds, longest_time_limit)));
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                           std::chrono::duration<double>(std::min(seconds, longest_time_limit)));
     if (!token.deadline_ || deadline < *token.deadline_) token.deadline_ = deadline;
     return token;
   }

@@ -89,6 +89,9 @@ struct Summary {
   std::string full_report() const;
 };
 
+/// Returns an iteration as a line to follow a solve by.
+std::string progress_line(const Iteration& row);
+
 /// Returns the trace as a table: iteration, seconds, energy, gradient_inf_norm, step, decrement,
 /// filter_strength, points_filtered, factorizations, evaluations.
 Trace trace_table(const Summary& summary);

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 
 // p -> scale_rotation * p + shift: keeps angles and orientation, so it turns no triangle over.
 struct Similarity {
@@ -18,4 +18,4 @@ struct Similarity {
 // translates where the points leave rotation and scale open or ask for scale zero.
 Similarity best_similarity(const std::vector<Eigen::Vector2d>& from, const std::vector<Eigen::Vector2d>& to);
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

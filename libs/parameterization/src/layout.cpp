@@ -1,14 +1,12 @@
-#include "layout.hpp"
-
-#include "common/terminal.hpp"
-
+#include <isostretch/core/log.hpp>
+#include <isostretch/parameterization/layout.hpp>
 #include <isostretch/parameterization/pack.hpp>
 #include <isostretch/surface/orientation.hpp>
 
 #include <cmath>
 #include <string>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 namespace {
 
 void pack_charts(const Start& start, const Options& options, Layout& layout) {
@@ -18,12 +16,12 @@ void pack_charts(const Start& start, const Options& options, Layout& layout) {
     charts.push_back(chart.gather(layout.uv));
     triangles.push_back(chart.mesh.triangles);
   }
-  parameterization::Packing packing;
+  Packing packing;
   try {
-    packing = parameterization::pack(charts, triangles,
-                                     {.margin = options.margin, .rotate = options.aligned.empty()});
+    packing = pack(charts, triangles, {.margin = options.margin, .rotate = options.aligned.empty()});
   } catch (const Error& error) {
-    warn(std::string("not packed: ") + error.what());  // the solution is worth more than its place
+    log(LogLevel::warning,
+        std::string("not packed: ") + error.what());  // the solution is worth more than its place
     return;
   }
   for (std::size_t c = 0; c < charts.size(); ++c) start.charts[c].scatter(charts[c], layout.uv);
@@ -72,4 +70,4 @@ Layout lay_out(const Domain& domain, const Start& start, const Solution& solutio
   return layout;
 }
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "pins.hpp"
-#include "start.hpp"
-
 #include <isostretch/newton/summary.hpp>
+#include <isostretch/parameterization/charts.hpp>
+#include <isostretch/parameterization/pins.hpp>
 
 #include <vector>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 
 // A minimisation of one chart.
 struct Run {
@@ -34,8 +33,9 @@ struct Solution {
 };
 
 // Minimises from the start, chart by chart; Ctrl-C ends it after the iteration. With a bound on the
-// distortion the domain is cut further until it is met or nothing more can be cut. Throws Failure for pins
+// distortion the domain is cut further until it is met or nothing more can be cut. Throws Error for pins
 // that cannot be.
-Solution solve(Domain& domain, Start& start, const energies::AnyEnergy& energy, const Options& options);
+Solution solve(Domain& domain, Start& start, const energies::AnyEnergy& energy, const Options& options,
+               const Monitor& monitor = {});
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

@@ -1,14 +1,13 @@
 #pragma once
 
-#include "start.hpp"
-
 #include <isostretch/assembly/elements.hpp>
 #include <isostretch/core/vector.hpp>
+#include <isostretch/parameterization/charts.hpp>
 
 #include <functional>
 #include <vector>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 
 struct Target {
   int node = -1;
@@ -23,7 +22,7 @@ struct Placement {
 
 // Moves nodes of a chart to their targets. Where that turns triangles over and the energy has a barrier, the
 // layout is pulled there with soft pins, first weakly, until it can take them. Returns -1, or a triangle (of
-// the whole mesh) that is in the way for good. Throws Failure when interrupted before that.
+// the whole mesh) that is in the way for good. Throws Error when interrupted before that.
 int move_to(Vector& x, const Placement& placement, const assembly::Elements& elements,
             const energies::AnyEnergy& energy, const Chart& chart, const Options& options);
 
@@ -31,4 +30,4 @@ int move_to(Vector& x, const Placement& placement, const assembly::Elements& ele
 Vector positions(const mesh::Points2& uv);
 mesh::Points2 points(const Vector& x);
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

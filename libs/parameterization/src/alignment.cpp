@@ -1,18 +1,18 @@
 #include "alignment.hpp"
 
-#include "common/exit_code.hpp"
 #include "placement.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <isostretch/core/error.hpp>
 #include <optional>
 #include <string>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 namespace {
 
 const char* option_of(const Line& line) {
-  return line.axis == 1 ? "--horizontal" : "--vertical";
+  return line.axis == 1 ? "horizontal" : "vertical";
 }
 
 // So that the first line already points along its axis, from its first vertex to its last.
@@ -36,9 +36,10 @@ double level(const Vector& x, const Line& line, const std::vector<int>& kept) {
     if (std::find(line.nodes.begin(), line.nodes.end(), node) == line.nodes.end()) continue;
     const double at = x[2 * node + line.axis];
     if (pinned && *pinned != at)
-      throw Failure(ExitCode::input, std::string(option_of(line)) +
-                                         ": two of its vertices are pinned at different " +
-                                         (line.axis == 1 ? "v" : "u"));
+      throw OptionError(
+          option_of(line),
+          std::string("two of its vertices are pinned at different ") + (line.axis == 1 ? "v" : "u"),
+          ErrorKind::input);
     pinned = at;
   }
   if (pinned) return *pinned;
@@ -86,9 +87,8 @@ std::vector<Line> resolve_lines(const Domain& domain, const Start& start, const 
       return lines_of_chart({line}, chart).size() == 1;
     });
     if (!on_one_chart)
-      throw Failure(ExitCode::command_line, std::string(option_of(line)) + ": vertex " +
-                                                std::to_string(wanted.vertices.front()) +
-                                                " and the others are not all in one chart");
+      throw OptionError(option_of(line), "vertex " + std::to_string(wanted.vertices.front()) +
+                                             " and the others are not all in one chart");
     unite(std::move(line), lines);
   }
   return lines;
@@ -119,10 +119,10 @@ void place_lines(Vector& x, const std::vector<Line>& lines, const Pins& pins,
   placement.kept.insert(placement.kept.end(), chart.held_boundary.begin(), chart.held_boundary.end());
   const int culprit = move_to(x, placement, elements, energy, chart, options);
   if (culprit >= 0)
-    throw Failure(ExitCode::input,
-                  std::string(option_of(lines.front())) +
-                      ": the vertices cannot come to lie on a line without turning over triangle " +
-                      std::to_string(culprit));
+    throw OptionError(
+        option_of(lines.front()),
+        "the vertices cannot come to lie on a line without turning over triangle " + std::to_string(culprit),
+        ErrorKind::input);
 }
 
 void tie_lines(newton::Objective& objective, const std::vector<Line>& lines) {
@@ -130,4 +130,4 @@ void tie_lines(newton::Objective& objective, const std::vector<Line>& lines) {
     for (const int node : line.nodes) objective.tie(line.nodes.front(), node, line.axis);
 }
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "common/output_folder.hpp"
-
 #include <vector>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 
 // Of the singular values sigma_1 >= |sigma_2| of all triangles' maps, weighted by rest area for the means.
 struct DistortionStatistics {
@@ -18,6 +16,4 @@ struct DistortionStatistics {
 DistortionStatistics distortion_statistics(const std::vector<double>& stretches,
                                            const std::vector<double>& areas);
 
-Json distortion_json(const DistortionStatistics& statistics);
-
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

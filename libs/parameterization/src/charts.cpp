@@ -1,13 +1,9 @@
-#include "start.hpp"
-
-#include "common/exit_code.hpp"
-#include "common/interrupt.hpp"
-#include "common/numbers.hpp"
-#include "common/terminal.hpp"
-
+#include <isostretch/core/error.hpp>
+#include <isostretch/core/log.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/newton/objective.hpp>
 #include <isostretch/newton/term.hpp>
+#include <isostretch/parameterization/charts.hpp>
 #include <isostretch/surface/boundary.hpp>
 #include <isostretch/surface/components.hpp>
 #include <isostretch/surface/orientation.hpp>
@@ -17,7 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 namespace {
 
 std::string list_some(const std::vector<int>& numbers) {
@@ -81,15 +77,13 @@ std::vector<int> corners_of(const Domain& domain, const Chart& chart, const Opti
   std::vector<int> corners;
   const std::vector<int>& held = chart.held_boundary;
   for (const int corner : options.corners) {
-    const int open = open_vertex(domain, corner, "--corners");
+    const int open = open_vertex(domain, corner, "corners");
     const auto found = std::find(chart.open_vertex.begin(), chart.open_vertex.end(), open);
     if (found == chart.open_vertex.end())
-      throw Failure(ExitCode::command_line,
-                    "--corners: vertex " + std::to_string(corner) + " is in another chart than the rest");
+      throw OptionError("corners", "vertex " + std::to_string(corner) + " is in another chart than the rest");
     corners.push_back(static_cast<int>(found - chart.open_vertex.begin()));
     if (std::find(held.begin(), held.end(), corners.back()) == held.end())
-      throw Failure(ExitCode::command_line,
-                    "--corners: vertex " + std::to_string(corner) + " is not on the boundary");
+      throw OptionError("corners", "vertex " + std::to_string(corner) + " is not on the boundary");
   }
   return corners;
 }
@@ -97,9 +91,8 @@ std::vector<int> corners_of(const Domain& domain, const Chart& chart, const Opti
 // Said before the solve, not after it: equal squares need this much at least.
 void require_room(const Options& options, std::size_t charts) {
   if (options.packs(charts) && options.margin * std::sqrt(static_cast<double>(charts)) >= 0.9)
-    throw Failure(ExitCode::command_line, "--margin: " + to_text(options.margin) +
-                                              " of the square leaves no room for " + std::to_string(charts) +
-                                              " charts");
+    throw OptionError("margin", to_text(options.margin) + " of the square leaves no room for " +
+                                    std::to_string(charts) + " charts");
 }
 
 // The straight side of a square is where a triangle can end up flat through no fault of the mesh.
@@ -111,28 +104,26 @@ std::string held_flat(const Chart& chart, const std::vector<int>& flipped) {
                                chart.mesh.triangles(t, c)) != chart.held_boundary.end();
     if (held)
       return "; triangle " + std::to_string(chart.triangle[static_cast<std::size_t>(t)]) +
-             " has all its corners on the boundary that is held: choose other corners or another --boundary";
+             " has all its corners on the boundary that is held: choose other corners or another boundary";
   }
   return "";
 }
 
 void embed(const Domain& domain, const Options& options, const std::string& name, Chart& chart,
            Start& start) {
-  parameterization::StartOptions how;
+  StartOptions how;
   how.tutte.solver = options.newton.solver;
-  how.tutte.boundary = options.boundary == Boundary::square ? parameterization::BoundaryShape::square
-                                                            : parameterization::BoundaryShape::circle;
+  how.tutte.boundary = options.boundary == Boundary::square ? BoundaryShape::square : BoundaryShape::circle;
   how.tutte.corners = corners_of(domain, chart, options);
   how.keep_boundary = options.boundary != Boundary::free;
-  how.keep_going = [] { return !interrupted(); };
-  const parameterization::StartResult result = parameterization::flip_free_start(chart.mesh, chart.rest, how);
-  if (result.uv.rows() == 0)
-    throw Failure(ExitCode::solver_failed, name + "no start: " + result.message + "; nothing is written");
-  if (result.method == parameterization::StartMethod::untangled)
-    notice(name + "Tutte's embedding collapsed triangles: untangled in " +
-           std::to_string(result.untangling.iterations) + " iterations");
-  if (!result.flipped.empty() && interrupted())
-    throw Failure(ExitCode::not_converged, "interrupted before there was a start; nothing is written");
+  how.stop = options.newton.stop;
+  const StartResult result = flip_free_start(chart.mesh, chart.rest, how);
+  if (result.uv.rows() == 0) throw Error(ErrorKind::unsolved, name + "no start: " + result.message);
+  if (result.method == StartMethod::untangled)
+    log(LogLevel::info, name + "Tutte's embedding collapsed triangles: untangled in " +
+                            std::to_string(result.untangling.iterations) + " iterations");
+  if (!result.flipped.empty() && options.newton.stop.should_stop())
+    throw Error(ErrorKind::stopped, "interrupted before there was a start");
   chart.method = result.method;
   chart.scatter(result.uv, start.uv);
 }
@@ -183,7 +174,7 @@ void require_startable(const Chart& chart, const Start& start, const std::string
                            " turns over or collapses triangle(s) " + list_some(in_input);
   if (energy.has_barrier())
     throw Error(what + ", where the energy '" + energy.name() + "' is infinite" + held_flat(chart, flipped));
-  warn(what);
+  log(LogLevel::warning, what);
 }
 
 }  // namespace
@@ -210,30 +201,29 @@ Chart make_chart(const Domain& domain, const Start& start, int number) {
   return from_part(std::move(mesh::split(domain.open(), label).front()), start.rest);
 }
 
-Start make_start(const Domain& domain, const energies::AnyEnergy& energy, const Options& options) {
-  const auto make = [&] {
-    Start start = rest_shape(domain, options);
-    if (options.initial == Initial::input) {
-      start.uv = domain.input_uv / start.unit_length;
-      if (options.units() == UvUnits::square) start.uv *= best_scale(domain, start, energy);
-    }
-    start.charts = make_charts(domain, start);
-    if (!options.corners.empty() && start.charts.size() > 1)
-      throw Failure(ExitCode::command_line, "--corners: the surface falls into " +
-                                                std::to_string(start.charts.size()) +
-                                                " charts; only one can have corners");
-    require_room(options, start.charts.size());
-    for (std::size_t c = 0; c < start.charts.size(); ++c) {
-      Chart& chart = start.charts[c];
-      chart.held_boundary = held_boundary(chart, options.boundary);
-      const std::string name = start.charts.size() == 1 ? "" : "chart " + std::to_string(c) + ": ";
-      if (options.initial == Initial::tutte) embed(domain, options, name, chart, start);
-      require_startable(chart, start, name, energy, options);
-    }
-    start.flipped = mesh::count_flipped(start.uv, domain.open().triangles);
-    return start;
-  };
-  return failing_with(ExitCode::input, [&] { return naming_file(options.model, make); });
+Start make_start(const Domain& domain, const energies::AnyEnergy& energy, const Options& given,
+                 const Monitor& monitor) {
+  Options options = given;
+  options.newton.stop = monitor.stop;
+  Start start = rest_shape(domain, options);
+  if (options.initial == Initial::input) {
+    start.uv = domain.input_uv / start.unit_length;
+    if (options.units() == UvUnits::square) start.uv *= best_scale(domain, start, energy);
+  }
+  start.charts = make_charts(domain, start);
+  if (!options.corners.empty() && start.charts.size() > 1)
+    throw OptionError("corners", "the surface falls into " + std::to_string(start.charts.size()) +
+                                     " charts; only one can have corners");
+  require_room(options, start.charts.size());
+  for (std::size_t c = 0; c < start.charts.size(); ++c) {
+    Chart& chart = start.charts[c];
+    chart.held_boundary = held_boundary(chart, options.boundary);
+    const std::string name = start.charts.size() == 1 ? "" : "chart " + std::to_string(c) + ": ";
+    if (options.initial == Initial::tutte) embed(domain, options, name, chart, start);
+    require_startable(chart, start, name, energy, options);
+  }
+  start.flipped = mesh::count_flipped(start.uv, domain.open().triangles);
+  return start;
 }
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

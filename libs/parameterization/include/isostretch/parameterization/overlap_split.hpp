@@ -1,12 +1,11 @@
 #pragma once
 
-#include "solve.hpp"
-
+#include <isostretch/parameterization/solution.hpp>
 #include <isostretch/surface/overlap.hpp>
 
 #include <vector>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 
 // What was done about charts that lay on themselves.
 struct OverlapSplit {
@@ -22,4 +21,4 @@ OverlapSplit split_overlap(Domain& domain, Start& start, Solution& solution, con
 // Charts that have one of the triangles, ascending.
 std::vector<int> charts_concerned(const Domain& domain, const mesh::Overlap& overlap);
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

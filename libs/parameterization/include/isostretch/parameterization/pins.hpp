@@ -1,16 +1,15 @@
 #pragma once
 
-#include "start.hpp"
-
 #include <isostretch/assembly/elements.hpp>
 #include <isostretch/newton/term.hpp>
+#include <isostretch/parameterization/charts.hpp>
 
 #include <Eigen/Core>
 
 #include <optional>
 #include <vector>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 
 struct HardPin {
   int node = -1;
@@ -27,16 +26,16 @@ struct Pins {
   Pins of_chart(const Chart& chart) const;
 };
 
-// The pins on the command line in the solver's numbers and units. Throws Failure (ExitCode::command_line) for
+// The pins on the command line in the solver's numbers and units. Throws Error for
 // vertices that do not exist or are not one in the layout, for a vertex pinned both ways, and for charts that
 // are going to be packed.
 Pins resolve_pins(const Domain& domain, const Start& start, const Options& options);
 
 // Moves the layout so that the hard pins with targets lie on them. A similarity comes first, which brings two
 // pins home exactly. Where more pins would turn triangles over and the energy has a barrier, the layout is
-// pulled towards the targets with soft pins until it can take them. Throws Failure (ExitCode::input) naming
+// pulled towards the targets with soft pins until it can take them. Throws Error naming
 // a triangle when it never can.
 void place_hard_pins(Vector& x, const Pins& pins, const assembly::Elements& elements,
                      const energies::AnyEnergy& energy, const Chart& chart, const Options& options);
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

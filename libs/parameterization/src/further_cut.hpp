@@ -1,10 +1,10 @@
 #pragma once
 
-#include "domain.hpp"
+#include <isostretch/parameterization/domain.hpp>
 
 #include <vector>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 
 // Largest of sigma_1 and 1 / sigma_2 over triangles, of which `stretches` holds two each; infinite where one
 // is turned over.
@@ -41,4 +41,4 @@ int worst_triangle(const Domain& domain, const std::vector<double>& stretches, d
 // Returns the chart that each was part of.
 std::vector<int> cut_off(Domain& domain, int triangle, mesh::Points2& uv);
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

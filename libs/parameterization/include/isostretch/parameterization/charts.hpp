@@ -1,14 +1,14 @@
 #pragma once
 
-#include "domain.hpp"
-
+#include <isostretch/core/monitor.hpp>
 #include <isostretch/energies/any_energy.hpp>
 #include <isostretch/fem/element_arrays.hpp>
+#include <isostretch/parameterization/domain.hpp>
 #include <isostretch/parameterization/start.hpp>
 
 #include <vector>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 
 // A connected piece of the opened mesh, solved by itself.
 struct Chart {
@@ -17,7 +17,7 @@ struct Chart {
   std::vector<int> triangle;       // its triangles in the opened mesh
   mesh::ElementArrays rest;        // of all charts together the area is 1
   std::vector<int> held_boundary;  // vertices that --boundary holds, in the numbers of the chart
-  parameterization::StartMethod method = parameterization::StartMethod::uniform;
+  StartMethod method = StartMethod::uniform;
   int solved_as = -1;  // the chart this was part of when it was solved; -1: itself
 
   // Rows of a layout of the opened mesh, and back.
@@ -35,12 +35,14 @@ struct Start {
   int flipped = 0;   // triangles of uv that are turned over
 };
 
-// Throws Failure with ExitCode::input when an element has no area, or when the start has flipped triangles
-// that the energy cannot recover from; names them.
-Start make_start(const Domain& domain, const energies::AnyEnergy& energy, const Options& options);
+/// Makes the charts and a layout to start from. Throws Error naming the triangles when one has no area, or
+/// when the start has flipped ones that the energy cannot recover from, OptionError for corners and margins
+/// that do not go with the charts, and Error of the kinds stopped and unsolved when there is no start.
+Start make_start(const Domain& domain, const energies::AnyEnergy& energy, const Options& options,
+                 const Monitor& monitor = {});
 
 // The charts, or the chart of that number, of the domain as it is cut now, without a start.
 std::vector<Chart> make_charts(const Domain& domain, const Start& start);
 Chart make_chart(const Domain& domain, const Start& start, int number);
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 namespace {
 
 // How bad an end is.
@@ -77,4 +77,4 @@ void combine_runs(const std::vector<Run>& runs, newton::Summary& summary, std::v
   summary = std::move(sum);
 }
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

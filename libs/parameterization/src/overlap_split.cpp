@@ -1,11 +1,10 @@
-#include "overlap.hpp"
-
+#include <isostretch/parameterization/overlap_split.hpp>
 #include <isostretch/surface/seams.hpp>
 
 #include <algorithm>
 #include <utility>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 namespace {
 
 // Of the side of a square as large as the surface. Well below a pixel of any texture.
@@ -85,4 +84,4 @@ std::vector<int> charts_concerned(const Domain& domain, const mesh::Overlap& ove
   return charts;
 }
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

@@ -1,11 +1,9 @@
-#include "distortion_statistics.hpp"
-
-#include <nlohmann/json.hpp>
+#include <isostretch/parameterization/distortion_statistics.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 
 DistortionStatistics distortion_statistics(const std::vector<double>& stretches,
                                            const std::vector<double>& areas) {
@@ -29,13 +27,4 @@ DistortionStatistics distortion_statistics(const std::vector<double>& stretches,
   return s;
 }
 
-Json distortion_json(const DistortionStatistics& s) {
-  return {{"min_sigma", s.min_sigma},
-          {"mean_sigma", s.mean_sigma},
-          {"max_sigma", s.max_sigma},
-          {"mean_area_ratio", s.mean_area_ratio},
-          {"mean_sigma_ratio", s.mean_sigma_ratio},
-          {"max_sigma_ratio", s.max_sigma_ratio}};
-}
-
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

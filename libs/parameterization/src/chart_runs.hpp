@@ -1,10 +1,10 @@
 #pragma once
 
-#include "solve.hpp"
+#include <isostretch/parameterization/solution.hpp>
 
 #include <vector>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 
 // One summary for the minimisations of all charts, as if it had been one: energies add up over the charts,
 // counts and seconds over the runs, the gradient norm is the largest, the status that of the first run that
@@ -12,4 +12,4 @@ namespace isostretch::app::parameterize {
 // each row is.
 void combine_runs(const std::vector<Run>& runs, newton::Summary& summary, std::vector<int>& chart_of_row);
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

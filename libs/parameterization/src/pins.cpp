@@ -1,6 +1,6 @@
-#include "pins.hpp"
+#include <isostretch/core/error.hpp>
+#include <isostretch/parameterization/pins.hpp>
 
-#include "common/exit_code.hpp"
 #include "placement.hpp"
 #include "similarity.hpp"
 
@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 namespace {
 
 bool has_targets(const Pins& pins) {
@@ -80,12 +80,11 @@ Pins resolve_pins(const Domain& domain, const Start& start, const Options& optio
   Pins pins;
   std::set<int> hard;
   if (options.has_pins() && options.packs(start.charts.size()))
-    throw Failure(ExitCode::command_line,
-                  "--pin, --soft-pin: packing moves the " + std::to_string(start.charts.size()) +
-                      " chart(s) of the surface; say --pack none to keep them in place");
+    throw OptionError("pin", "packing moves the " + std::to_string(start.charts.size()) +
+                                 " chart(s) of the surface; pack none keeps them in place");
   for (const Pin& pin : options.pins) {
     HardPin resolved;
-    resolved.node = open_vertex(domain, pin.vertex, "--pin");
+    resolved.node = open_vertex(domain, pin.vertex, "pin");
     if (pin.target) {
       resolved.target = *pin.target / start.unit_length;
       resolved.output = pin.target->transpose();
@@ -94,10 +93,9 @@ Pins resolve_pins(const Domain& domain, const Start& start, const Options& optio
     pins.hard.push_back(resolved);
   }
   for (const SoftPin& pin : options.soft_pins) {
-    const int node = open_vertex(domain, pin.vertex, "--soft-pin");
+    const int node = open_vertex(domain, pin.vertex, "soft-pin");
     if (hard.count(node) != 0)
-      throw Failure(ExitCode::command_line,
-                    "--soft-pin: vertex " + std::to_string(pin.vertex) + " is pinned hard as well");
+      throw OptionError("soft-pin", "vertex " + std::to_string(pin.vertex) + " is pinned hard as well");
     const Point2 target = pin.target / start.unit_length;
     pins.soft.push_back({node, {target.x(), target.y()}, pin.weight});
   }
@@ -108,8 +106,7 @@ void require_free(const Pins& pins, const Chart& chart) {
   for (const HardPin& pin : pins.hard)
     if (pin.target && std::find(chart.held_boundary.begin(), chart.held_boundary.end(), pin.node) !=
                           chart.held_boundary.end())
-      throw Failure(ExitCode::command_line,
-                    "--pin: a vertex with a target lies on the boundary that --boundary holds");
+      throw OptionError("pin", "a vertex with a target lies on the boundary that is held");
 }
 
 void place_hard_pins(Vector& x, const Pins& pins, const assembly::Elements& elements,
@@ -123,8 +120,10 @@ void place_hard_pins(Vector& x, const Pins& pins, const assembly::Elements& elem
   const int culprit =
       move_to(x, {[&](const Vector&) { return targets; }, kept}, elements, energy, chart, options);
   if (culprit >= 0)
-    throw Failure(ExitCode::input, "the hard pins cannot be reached without turning over triangle " +
-                                       std::to_string(culprit) + "; move them or use --soft-pin");
+    throw OptionError("pin",
+                      "the hard pins cannot be reached without turning over triangle " +
+                          std::to_string(culprit) + "; move them or make them soft",
+                      ErrorKind::input);
 }
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

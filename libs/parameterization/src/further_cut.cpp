@@ -11,7 +11,7 @@
 #include <span>
 #include <utility>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 namespace {
 
 double area_of(const Domain& domain) {
@@ -307,4 +307,4 @@ int sew(Domain& domain, const std::vector<int>& path, mesh::Points2& uv) {
   return -1;
 }
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

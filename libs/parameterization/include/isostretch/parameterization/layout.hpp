@@ -1,10 +1,10 @@
 #pragma once
 
-#include "overlap.hpp"
+#include <isostretch/parameterization/overlap_split.hpp>
 
 #include <vector>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 
 // The result in output units.
 struct Layout {
@@ -16,8 +16,8 @@ struct Layout {
   mesh::Overlap overlap;     // of the layout as it is written, charts on each other included
 };
 
-// Packs the charts into a square where that is asked for, and brings uv to output units. Throws Failure
+// Packs the charts into a square where that is asked for, and brings uv to output units. Throws Error
 // (ExitCode::command_line) when the margin leaves no room.
 Layout lay_out(const Domain& domain, const Start& start, const Solution& solution, const Options& options);
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

@@ -1,6 +1,6 @@
 #include "similarity.hpp"
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 namespace {
 
 Eigen::Vector2d mean(const std::vector<Eigen::Vector2d>& points) {
@@ -31,4 +31,4 @@ Similarity best_similarity(const std::vector<Eigen::Vector2d>& from, const std::
   return similarity;
 }
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

@@ -1,16 +1,13 @@
-#include "solve.hpp"
-
 #include "alignment.hpp"
 #include "chart_runs.hpp"
-#include "common/formatted.hpp"
-#include "common/interrupt.hpp"
-#include "common/newton_report.hpp"
-#include "common/terminal.hpp"
 #include "further_cut.hpp"
 #include "placement.hpp"
 
+#include <isostretch/core/log.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
 #include <isostretch/newton/minimize.hpp>
+#include <isostretch/parameterization/solution.hpp>
 #include <isostretch/surface/orientation.hpp>
 
 #include <algorithm>
@@ -18,7 +15,7 @@
 #include <set>
 #include <utility>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 namespace {
 
 // Of what the default cut goes on to, and how often: more is for --max-distortion.
@@ -28,12 +25,14 @@ constexpr double rough_decrement = 4e-3;  // a thousandth of the energy of an is
 
 class Solver {
  public:
-  Solver(Domain& domain, Start& start, const energies::AnyEnergy& energy, const Options& options)
-      : domain_(domain), start_(start), energy_(energy), options_(options) {
+  Solver(Domain& domain, Start& start, const energies::AnyEnergy& energy, const Options& options,
+         const Monitor& monitor)
+      : domain_(domain), start_(start), energy_(energy), options_(options), monitor_(monitor) {
+    options_.newton.stop = monitor.stop;
     solution_.uv = start.uv;
     solution_.stretches.assign(2 * static_cast<std::size_t>(domain.open().triangles.rows()), 1.0);
-    pins_ = resolve_pins(domain, start, options);
-    lines_ = resolve_lines(domain, start, options);
+    pins_ = resolve_pins(domain, start, options_);
+    lines_ = resolve_lines(domain, start, options_);
     soft_pin_energy_.assign(start.charts.size(), 0.0);
   }
 
@@ -42,7 +41,8 @@ class Solver {
     if (options_.max_distortion > 0) cut_further();
     if (reaches_tips()) reach_remaining_tips();
     sew_spurs();
-    if (solution_.cuts > 0) notice("cut further from " + counted(solution_.cuts, "distorted place"));
+    if (solution_.cuts > 0)
+      log(LogLevel::info, "cut further from " + counted(solution_.cuts, "distorted place"));
     combine_runs(solution_.runs, solution_.summary, solution_.chart_of_row);
     solution_.worst_distortion = worst_distortion(solution_.stretches);
     solution_.pins = pins_;
@@ -55,8 +55,8 @@ class Solver {
     const std::string of = start_.charts.size() > 1 ? "chart " + std::to_string(chart) + " of " +
                                                           std::to_string(start_.charts.size()) + "  "
                                                     : "";
-    show_progress(aim() + of + progress_line(row));
-    return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
+    monitor_.show(aim() + of + newton::progress_line(row));
+    return newton::CallbackAction::proceed;
   }
 
   // What --max-distortion wants and how far it is.
@@ -99,9 +99,6 @@ class Solver {
                              [&](const newton::Iteration& row, const Vector&) {
                                return watch(row, static_cast<std::size_t>(number));
                              })};
-    clear_progress();
-    if (run.summary.status == newton::Status::stopped_by_callback)
-      run.summary.message = "interrupted (Ctrl-C)";
     solution_.runs.push_back(std::move(run));
     if (care == Care::rough) rough_.insert(number);
     chart.scatter(points(x), solution_.uv);
@@ -143,8 +140,9 @@ class Solver {
     go_back_to(std::move(before));
     cut_until_within_bound(false);
     const bool parts_pay = is_within_bound() == within ? length < seam_length() : within;
-    log_debug(formatted("cut of %zu charts: %.4g, of %zu charts: %.4g", with_parts.start.charts.size(),
-                        length, start_.charts.size(), seam_length()));
+    log(LogLevel::debug,
+        formatted("cut of %zu charts: %.4g, of %zu charts: %.4g", with_parts.start.charts.size(), length,
+                  start_.charts.size(), seam_length()));
     if (parts_pay) go_back_to(std::move(with_parts));
   }
 
@@ -168,7 +166,7 @@ class Solver {
     return any_part;
   }
 
-  bool may_go_on() const { return !interrupted() && !out_of_time(); }
+  bool may_go_on() const { return !monitor_.stop.stop_requested() && !out_of_time(); }
 
   // Solves what was solved roughly. Returns whether there was any.
   bool finish() {
@@ -276,7 +274,8 @@ class Solver {
   Domain& domain_;
   Start& start_;
   const energies::AnyEnergy& energy_;
-  const Options& options_;
+  Options options_;
+  const Monitor& monitor_;
   Timer timer_;
   Pins pins_;
   std::vector<Line> lines_;
@@ -293,8 +292,9 @@ bool Solution::has_vanished() const {
   return std::all_of(stretches.begin(), stretches.end(), [](double s) { return std::abs(s) < next_to_none; });
 }
 
-Solution solve(Domain& domain, Start& start, const energies::AnyEnergy& energy, const Options& options) {
-  return Solver(domain, start, energy, options).run();
+Solution solve(Domain& domain, Start& start, const energies::AnyEnergy& energy, const Options& options,
+               const Monitor& monitor) {
+  return Solver(domain, start, energy, options, monitor).run();
 }
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization

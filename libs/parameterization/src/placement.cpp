@@ -1,13 +1,11 @@
 #include "placement.hpp"
 
-#include "common/exit_code.hpp"
-#include "common/interrupt.hpp"
-#include "common/terminal.hpp"
-
+#include <isostretch/core/error.hpp>
+#include <isostretch/core/log.hpp>
 #include <isostretch/newton/minimize.hpp>
 #include <isostretch/surface/orientation.hpp>
 
-namespace isostretch::app::parameterize {
+namespace isostretch::parameterization {
 namespace {
 
 void snap(Vector& x, const Placement& placement) {
@@ -36,9 +34,7 @@ void pull(Vector& x, const Placement& placement, double weight, const assembly::
   objective.add<newton::SoftPinTerm>(2, elements.node_count, soft);
   for (const int node : placement.kept) objective.pin(node);
   options.max_iterations = 30;
-  newton::minimize(objective, x, options, [](const auto&, const auto&) {
-    return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
-  });
+  newton::minimize(objective, x, options);
 }
 
 }  // namespace
@@ -51,15 +47,15 @@ int move_to(Vector& x, const Placement& placement, const assembly::Elements& ele
   }
   int culprit = snap_without_flips(x, placement, chart);
   if (culprit < 0) return -1;
-  notice("pulling the layout towards its constraints first: moved there at once they turn triangles over");
-  for (double weight = 1; weight <= 1e6 && !interrupted(); weight *= 10) {
+  log(LogLevel::info,
+      "pulling the layout towards its constraints first: moved there at once they turn triangles over");
+  for (double weight = 1; weight <= 1e6 && !options.newton.stop.stop_requested(); weight *= 10) {
     pull(x, placement, weight, elements, energy, options.newton);
     culprit = snap_without_flips(x, placement, chart);
     if (culprit < 0) return -1;
   }
-  if (interrupted())
-    throw Failure(ExitCode::not_converged,
-                  "interrupted before the layout met its constraints; nothing is written");
+  if (options.newton.stop.stop_requested())
+    throw Error(ErrorKind::stopped, "interrupted before the layout met its constraints");
   return culprit;
 }
 
@@ -71,4 +67,4 @@ mesh::Points2 points(const Vector& x) {
   return Eigen::Map<const mesh::Points2>(x.data(), x.size() / 2, 2);
 }
 
-}  // namespace isostretch::app::parameterize
+}  // namespace isostretch::parameterization
