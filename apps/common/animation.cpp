@@ -43,7 +43,7 @@ constexpr const char* player = R"(<div class="player"><button type="button" id="
 
 }  // namespace
 
-Animation::Animation(const Body& body, std::vector<std::array<int, 2>> lines, int up)
+Animation::Animation(const SolidModel& body, std::vector<std::array<int, 2>> lines, int up)
     : body_(body), lines_(std::move(lines)), up_(up) {}
 
 void Animation::add(int number, double time, const Vector& positions, const StrainField& strain) {

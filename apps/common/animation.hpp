@@ -1,9 +1,9 @@
 #pragma once
 
-#include "common/body.hpp"
+#include "common/deformation_names.hpp"
+
 #include "common/figures/deformation_figure.hpp"
 #include "common/output_folder.hpp"
-#include "common/strain.hpp"
 
 #include <array>
 #include <string>
@@ -15,7 +15,7 @@ namespace isostretch::app {
 class Animation {
  public:
   /// `lines` and `up` as in DeformationFigure. The body must live longer.
-  Animation(const Body& body, std::vector<std::array<int, 2>> lines, int up = -1);
+  Animation(const SolidModel& body, std::vector<std::array<int, 2>> lines, int up = -1);
 
   void add(int number, double time, const Vector& positions, const StrainField& strain);
   bool empty() const { return states_.empty(); }
@@ -36,7 +36,7 @@ class Animation {
   std::string glb() const;
   std::vector<std::size_t> shown() const;
 
-  const Body& body_;
+  const SolidModel& body_;
   std::vector<std::array<int, 2>> lines_;
   int up_;
   std::vector<int> numbers_;

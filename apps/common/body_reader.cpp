@@ -24,8 +24,8 @@ BarSpec read_bar(const JsonValue& value) {
   }
   bar.shape = bar.cells.size() == 2 ? mesh::Shape::triangle : mesh::Shape::tet;
   if (const auto element = value.find("element")) {
-    element->require_one_of(shape_names());
-    bar.shape = shape_from_name(element->text());
+    element->require_one_of(deformation::shape_names());
+    bar.shape = deformation::shape_from_name(element->text());
     if (mesh::shape_dim(bar.shape) != static_cast<int>(bar.cells.size()))
       element->fail("'" + element->text() + "' is " + std::to_string(mesh::shape_dim(bar.shape)) +
                     "D, and there are cells in " + std::to_string(bar.cells.size()) + " directions");
@@ -52,7 +52,7 @@ int read_count(const JsonValue& value, const char* key) {
   return value.only({key}).at(key).whole(1, most);
 }
 
-GeneratedBody read_generated(const JsonValue& mesh) {
+GeneratedSolid read_generated(const JsonValue& mesh) {
   if (mesh.only(kinds).json().size() != 1) mesh.fail("must have one of the keys " + listed(kinds));
   if (const auto bar = mesh.find("bar")) return read_bar(*bar);
   if (const auto grid = mesh.find("grid")) return read_grid(*grid);
@@ -63,7 +63,7 @@ GeneratedBody read_generated(const JsonValue& mesh) {
 
 }  // namespace
 
-void read_mesh(const JsonValue& mesh, const std::filesystem::path& folder, BodySpec& spec) {
+void read_mesh(const JsonValue& mesh, const std::filesystem::path& folder, SolidSpec& spec) {
   if (mesh.is_text())
     spec.file = folder / mesh.text();
   else

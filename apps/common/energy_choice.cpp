@@ -1,9 +1,10 @@
 #include "common/energy_choice.hpp"
 
-#include "common/choice_names.hpp"
 #include "common/numbers.hpp"
 
+#include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/energies/registry.hpp>
 #include <isostretch/expressions/expression.hpp>

@@ -1,9 +1,9 @@
 #include "common/energy_reader.hpp"
 
 #include "common/energy_choice.hpp"
-#include "common/material.hpp"
 
 #include <isostretch/expressions/expression.hpp>
+#include "common/deformation_names.hpp"
 
 #include <map>
 
@@ -15,12 +15,13 @@ Lame read_material(const JsonValue& value, int dim) {
   const bool engineer = value.has("young") || value.has("poisson");
   if (engineer == (value.has("mu") || value.has("lambda")))
     value.fail("give young and poisson, or mu and lambda");
-  const Lame material =
-      engineer
-          ? naming(value,
-                   [&] { return lame_from_young(value.at("young").number(), value.at("poisson").number()); })
-          : Lame{value.at("mu").number(), value.at("lambda").number()};
-  naming(value, [&] { require_stable(material, dim); });
+  const Lame material = engineer ? naming(value,
+                                          [&] {
+                                            return deformation::lame_from_young(value.at("young").number(),
+                                                                                value.at("poisson").number());
+                                          })
+                                 : Lame{value.at("mu").number(), value.at("lambda").number()};
+  naming(value, [&] { deformation::require_stable(material, dim); });
   return material;
 }
 
@@ -47,7 +48,8 @@ energies::AnyEnergy read_energy(const JsonValue& owner, int dim, const std::opti
     naming(name, [&] { return choose_energy(name.text(), {}, dim); });
   if (material) {
     const Lame lame = read_material(*material, dim);
-    const auto from_material = naming(*material, [&] { return material_parameters(name.text(), lame, dim); });
+    const auto from_material =
+        naming(*material, [&] { return deformation::material_parameters(name.text(), lame, dim); });
     for (const auto& [key, number] : from_material)
       if (!parameters.emplace(key, number).second)
         material->fail("sets the parameter '" + key + "', which the energy sets too");

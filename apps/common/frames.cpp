@@ -10,7 +10,7 @@
 namespace isostretch::app {
 namespace {
 
-mesh::SurfaceMesh surface_at(const Body& body, const mesh::Points3& points) {
+mesh::SurfaceMesh surface_at(const SolidModel& body, const mesh::Points3& points) {
   mesh::SurfaceMesh surface;
   surface.triangles = body.surface.mesh.triangles;
   surface.vertices.resize(static_cast<Eigen::Index>(body.surface.original_vertex.size()), 3);
@@ -19,7 +19,7 @@ mesh::SurfaceMesh surface_at(const Body& body, const mesh::Points3& points) {
   return surface;
 }
 
-mesh::TetMesh tets_at(const Body& body, const mesh::Points3& points) {
+mesh::TetMesh tets_at(const SolidModel& body, const mesh::Points3& points) {
   mesh::TetMesh tets{points, {}};
   tets.tets = Eigen::Map<const mesh::Tets>(body.elements.nodes.data(), body.elements.element_count(), 4);
   return tets;
@@ -31,13 +31,13 @@ std::string frame_name(int number, FrameFormat format) {
   return formatted("frame_%04d.", number) + name_of(frame_format_names, format);
 }
 
-void require_holds(FrameFormat format, const Body& body) {
+void require_holds(FrameFormat format, const SolidModel& body) {
   if (format == FrameFormat::msh && body.shape != mesh::Shape::tet && body.shape != mesh::Shape::triangle)
-    throw Error("format: MSH is written with linear triangles and tets, not with " + plural_name(body.shape) +
-                "; take vtu");
+    throw Error("format: MSH is written with linear triangles and tets, not with " +
+                deformation::plural_name(body.shape) + "; take vtu");
 }
 
-std::string format_frame(FrameFormat format, const Body& body, const Vector& positions,
+std::string format_frame(FrameFormat format, const SolidModel& body, const Vector& positions,
                          const std::vector<CellField>& fields) {
   const mesh::Points3 flat = body.points(positions);
   if (format == FrameFormat::vtu) return vtu_text(body, flat, fields);

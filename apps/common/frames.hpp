@@ -1,7 +1,9 @@
 #pragma once
 
-#include "common/body.hpp"
-#include "common/choice_names.hpp"
+#include "common/deformation_names.hpp"
+
+#include <isostretch/core/choice_names.hpp>
+#include <isostretch/core/text.hpp>
 
 #include <string>
 #include <utility>
@@ -27,11 +29,11 @@ struct NodeField {
 std::string frame_name(int number, FrameFormat format);
 
 // Throws Error when the format cannot hold the elements of the body: MSH has linear triangles and tets.
-void require_holds(FrameFormat format, const Body& body);
+void require_holds(FrameFormat format, const SolidModel& body);
 
 // The body at some positions: VTU with its elements, the fields and the displacement of every node, in raw
 // doubles; OBJ with its surface; MSH with its elements.
-std::string format_frame(FrameFormat format, const Body& body, const Vector& positions,
+std::string format_frame(FrameFormat format, const SolidModel& body, const Vector& positions,
                          const std::vector<CellField>& fields);
 
 // ParaView's list of the files of an animation with their times.

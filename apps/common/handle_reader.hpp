@@ -1,7 +1,10 @@
 #pragma once
 
-#include "common/handle_script.hpp"
+#include "common/deformation_names.hpp"
+
 #include "common/json_value.hpp"
+
+#include <isostretch/deformation/handle_script.hpp>
 
 namespace isostretch::app {
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "common/choice_names.hpp"
 #include "common/output_folder.hpp"
 
+#include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/text.hpp>
 
 #include <Eigen/Core>
 

@@ -30,7 +30,7 @@ Eigen::Vector3d at_rest(const Preview& p, int node) {
 }
 
 Eigen::Vector3d at_time(const Preview& p, const Handle& handle, int node) {
-  return p.rig.target(handle, node, p.time);
+  return p.handle_set.target(handle, node, p.time);
 }
 
 Facts facts_of(const Preview& p, const Handle& handle) {
@@ -89,8 +89,8 @@ Row row_of(const Preview& p, const Handle& handle) {
 // The handle of every node, or -1.
 std::vector<int> owners(const Preview& p) {
   std::vector<int> owner(static_cast<std::size_t>(p.body.nodes.rows()), -1);
-  for (std::size_t h = 0; h < p.rig.handles().size(); ++h)
-    for (const int node : p.rig.handles()[h].nodes)
+  for (std::size_t h = 0; h < p.handle_set.handles().size(); ++h)
+    for (const int node : p.handle_set.handles()[h].nodes)
       owner[static_cast<std::size_t>(node)] = static_cast<int>(h);
   return owner;
 }
@@ -119,7 +119,7 @@ std::vector<int> spread(const std::vector<int>& nodes, std::size_t most) {
   return result;
 }
 
-std::vector<bool> nodes_on_surface(const Body& body) {
+std::vector<bool> nodes_on_surface(const SolidModel& body) {
   std::vector<bool> on_surface(static_cast<std::size_t>(body.nodes.rows()), false);
   for (const int node : body.surface.original_vertex) on_surface[static_cast<std::size_t>(node)] = true;
   return on_surface;
@@ -149,8 +149,8 @@ std::vector<Marker> markers_of(const Preview& p) {
   constexpr std::size_t most_dots = 200, most_arrows = 8;
   const std::vector<bool> on_surface = nodes_on_surface(p.body);
   std::vector<Marker> dots, arrows;
-  for (std::size_t h = 0; h < p.rig.handles().size(); ++h) {
-    const Handle& handle = p.rig.handles()[h];
+  for (std::size_t h = 0; h < p.handle_set.handles().size(); ++h) {
+    const Handle& handle = p.handle_set.handles()[h];
     const Color color = darker(figures::handle_color(h));
     const std::vector<int> seen = seen_nodes(handle, on_surface), &nodes = seen.empty() ? handle.nodes : seen;
     const bool alone = handle.nodes.size() == 1;  // what shows its colour then is the dot
@@ -172,7 +172,7 @@ std::vector<Marker> markers_of(const Preview& p) {
 
 std::string preview_table(const Preview& preview) {
   std::vector<Row> rows{{"handle", "kind", "nodes", "centre", "goes to", "farthest", "turns"}};
-  for (const Handle& handle : preview.rig.handles()) rows.push_back(row_of(preview, handle));
+  for (const Handle& handle : preview.handle_set.handles()) rows.push_back(row_of(preview, handle));
   std::array<std::size_t, 7> widths{};
   for (const Row& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], letters(row[c]));
@@ -187,23 +187,24 @@ std::string preview_table(const Preview& preview) {
 }
 
 std::string draw_preview(const Preview& p) {
-  const Body& body = p.body;
+  const SolidModel& body = p.body;
   const std::vector<double> unchanged(static_cast<std::size_t>(body.elements.element_count()), 1.0);
   figures::HandleFigure figure{
       {.title = body.name + ": handles",
-       .subtitle = with_thousands(body.elements.element_count()) + " " + plural_name(body.shape) +
+       .subtitle = with_thousands(body.elements.element_count()) + " " +
+                   deformation::plural_name(body.shape) +
                    "   ·   at rest   ·   arrows: to where nodes are to be at the end   ·   rings: behind or "
                    "inside the body",
        .states = {{"", surface_points(body, body.nodes), unchanged, {}, markers_of(p), triangle_colors(p)}},
        .triangles = body.surface.mesh.triangles,
        .element = body.surface.element,
        .volumes = body.volumes(),
-       .lines = figure_lines(p.rig, body),
+       .lines = figure_lines(p.handle_set, body),
        .flat = body.dim == 2,
        .up = p.up},
       {}};
   const std::vector<bool> on_surface = nodes_on_surface(body);
-  for (const Handle& handle : p.rig.handles())
+  for (const Handle& handle : p.handle_set.handles())
     figure.legend.push_back(legend_of(p, handle, seen_nodes(handle, on_surface).empty()));
   return figures::draw_handles(figure);
 }

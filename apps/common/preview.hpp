@@ -1,7 +1,8 @@
 #pragma once
 
+#include "common/deformation_names.hpp"
+
 #include "common/exit_code.hpp"
-#include "common/rig.hpp"
 
 #include <filesystem>
 #include <string>
@@ -10,8 +11,8 @@ namespace isostretch::app {
 
 /// What --preview shows before anything is solved: the handles of a body and where they go by `time`.
 struct Preview {
-  const Rig& rig;
-  const Body& body;
+  const HandleSet& handle_set;
+  const SolidModel& body;
   double time = 1;
   int up = -1;  ///< axis that is up in the picture; -1: guessed
 };

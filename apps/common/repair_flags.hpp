@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/body.hpp"
+#include "common/deformation_names.hpp"
 
 namespace CLI {
 class App;

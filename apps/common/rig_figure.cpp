@@ -1,16 +1,17 @@
 #include "common/rig_figure.hpp"
 
-#include "common/figures/edges.hpp"
+#include <isostretch/surface/edges.hpp>
 
 namespace isostretch::app {
 namespace {
 
 // Edges of the surface along which a handle ends: both ends are its own, and a neighbour's third vertex is
 // not.
-std::vector<std::array<int, 2>> handle_outlines(const Rig& rig, const Body& body) {
+std::vector<std::array<int, 2>> handle_outlines(const HandleSet& handle_set, const SolidModel& body) {
   std::vector<int> owner(static_cast<std::size_t>(body.nodes.rows()), -1);
-  for (std::size_t h = 0; h < rig.handles().size(); ++h)
-    for (const int node : rig.handles()[h].nodes) owner[static_cast<std::size_t>(node)] = static_cast<int>(h);
+  for (std::size_t h = 0; h < handle_set.handles().size(); ++h)
+    for (const int node : handle_set.handles()[h].nodes)
+      owner[static_cast<std::size_t>(node)] = static_cast<int>(h);
   const auto& surface = body.surface;
   const auto owner_of = [&](int vertex) {
     return owner[static_cast<std::size_t>(surface.original_vertex[static_cast<std::size_t>(vertex)])];
@@ -28,21 +29,21 @@ std::vector<std::array<int, 2>> handle_outlines(const Rig& rig, const Body& body
 
 }  // namespace
 
-mesh::Points3 surface_points(const Body& body, const mesh::Points3& points) {
+mesh::Points3 surface_points(const SolidModel& body, const mesh::Points3& points) {
   mesh::Points3 result(static_cast<Eigen::Index>(body.surface.original_vertex.size()), 3);
   for (Eigen::Index v = 0; v < result.rows(); ++v)
     result.row(v) = points.row(body.surface.original_vertex[static_cast<std::size_t>(v)]);
   return result;
 }
 
-std::vector<figures::Marker> rest_markers(const Rig& rig, const Body& body, double time) {
+std::vector<figures::Marker> rest_markers(const HandleSet& handle_set, const SolidModel& body, double time) {
   constexpr double least_share = 1e-3;
   std::vector<figures::Marker> markers;
-  for (const Handle& handle : rig.handles()) {
+  for (const Handle& handle : handle_set.handles()) {
     Eigen::RowVector3d from = Eigen::RowVector3d::Zero(), to = from;
     for (const int node : handle.nodes) {
       from += body.nodes.row(node) / static_cast<double>(handle.nodes.size());
-      to += rig.target(handle, node, time).transpose() / static_cast<double>(handle.nodes.size());
+      to += handle_set.target(handle, node, time).transpose() / static_cast<double>(handle.nodes.size());
     }
     if (handle.nodes.size() == 1) markers.push_back({figures::Marker::Kind::dot, from, from});
     if ((to - from).norm() > least_share * body.diagonal())
@@ -51,14 +52,14 @@ std::vector<figures::Marker> rest_markers(const Rig& rig, const Body& body, doub
   return markers;
 }
 
-std::vector<figures::Marker> target_markers(const Rig& rig, const Body& body, double time,
+std::vector<figures::Marker> target_markers(const HandleSet& handle_set, const SolidModel& body, double time,
                                             const Vector& positions) {
   constexpr std::size_t most = 120;
   std::vector<bool> seen(static_cast<std::size_t>(body.nodes.rows()), false);
   for (const int node : body.surface.original_vertex) seen[static_cast<std::size_t>(node)] = true;
   const mesh::Points3 points = body.points(positions);
   std::vector<figures::Marker> markers;
-  for (const Handle& handle : rig.handles()) {
+  for (const Handle& handle : handle_set.handles()) {
     if (handle.nodes.size() == 1) {
       const Eigen::RowVector3d at = points.row(handle.nodes[0]);
       markers.push_back({figures::Marker::Kind::dot, at, at});
@@ -70,15 +71,15 @@ std::vector<figures::Marker> target_markers(const Rig& rig, const Body& body, do
     const std::size_t step = (visible.size() + most - 1) / most;
     for (std::size_t i = 0; i < visible.size(); i += step)
       markers.push_back({figures::Marker::Kind::target, points.row(visible[i]),
-                         rig.target(handle, visible[i], time).transpose()});
+                         handle_set.target(handle, visible[i], time).transpose()});
   }
   return markers;
 }
 
-std::vector<std::array<int, 2>> figure_lines(const Rig& rig, const Body& body) {
-  std::vector<std::array<int, 2>> lines = handle_outlines(rig, body);
+std::vector<std::array<int, 2>> figure_lines(const HandleSet& handle_set, const SolidModel& body) {
+  std::vector<std::array<int, 2>> lines = handle_outlines(handle_set, body);
   if (body.dim == 2) {
-    const auto outline = figures::edges_of(body.surface.mesh.triangles).boundary;
+    const auto outline = mesh::edges_of(body.surface.mesh.triangles).boundary;
     lines.insert(lines.end(), outline.begin(), outline.end());
   }
   return lines;

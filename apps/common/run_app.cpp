@@ -1,13 +1,14 @@
 #include "common/run_app.hpp"
 
-#include "common/choice_names.hpp"
 #include "common/energy_plugin.hpp"
 #include "common/help.hpp"
 #include "common/interrupt.hpp"
 #include "common/threads.hpp"
 #include "common/validators.hpp"
 
+#include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/isa.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/version.hpp>
 
 #include <cstdio>

@@ -1,8 +1,9 @@
 #include "common/validators.hpp"
 
-#include "common/choice_names.hpp"
 #include "common/numbers.hpp"
 
+#include <isostretch/core/choice_names.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 
 #include <algorithm>

@@ -49,7 +49,7 @@ class Arrays {
 
 }  // namespace
 
-std::string vtu_text(const Body& body, const mesh::Points3& flat, const std::vector<CellField>& fields,
+std::string vtu_text(const SolidModel& body, const mesh::Points3& flat, const std::vector<CellField>& fields,
                      const std::vector<NodeField>& node_fields) {
   const auto cells = static_cast<std::size_t>(body.elements.element_count());
   std::vector<std::int64_t> offsets(cells);

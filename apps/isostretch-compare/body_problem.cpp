@@ -3,23 +3,24 @@
 #include "common/body_reader.hpp"
 #include "common/energy_reader.hpp"
 #include "common/exit_code.hpp"
-#include "common/guess.hpp"
 #include "common/handle_reader.hpp"
-#include "common/rig.hpp"
 #include "common/terminal.hpp"
+
+#include <isostretch/deformation/handle_set.hpp>
+#include <isostretch/deformation/predictor.hpp>
 
 #include <cmath>
 
 namespace isostretch::app::compare {
 namespace {
 
-Body read_body(const JsonValue& value, const std::filesystem::path& folder) {
-  BodySpec spec;
+SolidModel read_body(const JsonValue& value, const std::filesystem::path& folder) {
+  SolidSpec spec;
   spec.repair.offered = false;
   read_mesh(value.at("mesh"), folder, spec);
   if (const auto order = value.find("order")) spec.order = order->whole(1, 2);
   if (const auto quadrature = value.find("quadrature")) spec.quadrature = quadrature->whole(1, 5);
-  const auto load = [&] { return load_body(spec); };
+  const auto load = [&] { return deformation::load_solid(spec); };
   return spec.generated ? naming(value.at("mesh"), load) : with_error_kind(ErrorKind::input, load);
 }
 
@@ -32,17 +33,18 @@ HandleScript read_script(const JsonValue& value, int dim) {
 }
 
 // Where handles hold, and nodes of no element, which nothing moves.
-std::vector<int> pinned_nodes(const Rig& rig, const Body& body) {
-  std::vector<int> pinned = rig.hard_nodes();
+std::vector<int> pinned_nodes(const HandleSet& handle_set, const SolidModel& body) {
+  std::vector<int> pinned = handle_set.hard_nodes();
   const std::vector<int> component = assembly::component_of_nodes(body.elements);
   for (std::size_t node = 0; node < component.size(); ++node)
     if (component[node] < 0) pinned.push_back(static_cast<int>(node));
   return pinned;
 }
 
-Vector guessed_start(Guess guess, const HandleScript& script, const Body& body, const Rig& rig) {
-  const double from = rig.comes_from_rest() ? script.rest_time() : script.start;
-  return Guesser(guess, body, rig, [](const std::string& what) { warn(what); })
+Vector guessed_start(InitialGuess guess, const HandleScript& script, const SolidModel& body,
+                     const HandleSet& handle_set) {
+  const double from = handle_set.comes_from_rest() ? script.rest_time() : script.start;
+  return deformation::Predictor(guess, body, handle_set, [](const std::string& what) { warn(what); })
       .guess(body.rest_positions(), from, script.end, false);
 }
 
@@ -58,17 +60,19 @@ void scale_to_unit_volume(double volume, assembly::Elements& elements, Vector& p
 
 Problem body_problem(const JsonValue& value, const std::filesystem::path& folder) {
   value.only({"name", "mesh", "energy", "material", "handles", "guess", "order", "quadrature"});
-  const Body body = read_body(value, folder);
+  const SolidModel body = read_body(value, folder);
   const energies::AnyEnergy energy = read_energy(value, body.dim);
   const HandleScript script = read_script(value, body.dim);
-  const Rig rig(script, body);
+  const HandleSet handle_set(script, body);
   const auto guess = value.find("guess");
-  const Guess kind = guess ? guess->choice(guess_names) : Guess::biharmonic;
-  Problem problem{
-      {},
-      {body.elements, energy, pinned_nodes(rig, body)},
-      guessed_start(kind, script, body, rig),
-      {{"kind", plural_name(body.shape)}, {"mesh", body.name}, {"guess", name_of(guess_names, kind)}}};
+  const InitialGuess kind =
+      guess ? guess->choice(deformation::initial_guess_names) : InitialGuess::biharmonic;
+  Problem problem{{},
+                  {body.elements, energy, pinned_nodes(handle_set, body)},
+                  guessed_start(kind, script, body, handle_set),
+                  {{"kind", deformation::plural_name(body.shape)},
+                   {"mesh", body.name},
+                   {"guess", name_of(deformation::initial_guess_names, kind)}}};
   scale_to_unit_volume(body.volume(), problem.distortion.elements, problem.start);
   return problem;
 }

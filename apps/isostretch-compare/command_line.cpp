@@ -1,6 +1,5 @@
 #include "command_line.hpp"
 
-#include "common/choice_names.hpp"
 #include "common/energy_choice.hpp"
 #include "common/exit_code.hpp"
 #include "common/numbers.hpp"
@@ -10,7 +9,9 @@
 #include "scene_reader.hpp"
 
 #include <isostretch/baselines/distortion.hpp>
+#include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 
 #include <algorithm>

@@ -1,14 +1,16 @@
 #include "problem.hpp"
 
+#include "common/deformation_names.hpp"
+
+#include <isostretch/deformation/fingerprint.hpp>
 #include "body_problem.hpp"
 #include "common/exit_code.hpp"
-#include "common/fingerprint.hpp"
-#include "common/strain.hpp"
 #include "scene_reader.hpp"
 #include "surface_problem.hpp"
 
 #include <isostretch/assembly/energy_assembler.hpp>
 #include <isostretch/core/text.hpp>
+#include <isostretch/deformation/strain.hpp>
 
 #include <cmath>
 
@@ -33,7 +35,7 @@ void require_finite_start(const Problem& problem) {
 // By which results of another problem of the same name are known.
 std::string fingerprint(const Problem& problem) {
   const assembly::Elements& elements = problem.distortion.elements;
-  Fingerprint print;
+  deformation::Fingerprint print;
   print.add(elements.nodes);
   print.add(elements.gradients);
   print.add(elements.weights);

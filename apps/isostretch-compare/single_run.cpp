@@ -1,6 +1,5 @@
 #include "single_run.hpp"
 
-#include "common/choice_names.hpp"
 #include "common/interrupt.hpp"
 #include "common/machine.hpp"
 #include "common/newton_report.hpp"
@@ -10,6 +9,8 @@
 #include "scene_reader.hpp"
 
 #include <isostretch/baselines/distortion.hpp>
+#include <isostretch/core/choice_names.hpp>
+#include <isostretch/core/text.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -52,7 +53,7 @@ newton::Summary minimize(const SingleRun& run, const Problem& problem, Vector& x
                                          run.limits.time_limit};
   newton::Summary summary = baselines::minimize(
       run.method, problem.distortion, x, options, [](const newton::Iteration& row, const Vector&) {
-        show_progress(progress_line(row));
+        show_progress(newton::progress_line(row));
         return interrupted() ? newton::CallbackAction::stop : newton::CallbackAction::proceed;
       });
   if (summary.status == newton::Status::stopped_by_callback) summary.message = "interrupted (Ctrl-C)";
@@ -84,7 +85,7 @@ ExitCode run_single(const SingleRun& run, const Json& scene, const fs::path& sce
   OutputFolder folder(run.out);
   const newton::Summary summary =
       with_error_kind(ErrorKind::unsolved, [&] { return minimize(run, problem, x); });
-  folder.add("trace.csv", trace_csv(summary));
+  folder.add("trace.csv", to_csv(newton::trace_table(summary)));
   folder.add("positions.bin", bytes_of(x));
   folder.add_json("summary.json", summary_json(run, problem, summary, x));
   folder.commit();

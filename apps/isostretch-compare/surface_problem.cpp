@@ -59,7 +59,7 @@ Problem surface_problem(const JsonValue& value, const fs::path& folder) {
   Problem problem{
       {}, {{}, energy, {}}, {}, {{"kind", "surface"}, {"mesh", fs::path(surface.name).filename()}}};
   with_error_kind(ErrorKind::input, [&] {
-    with_error_prefix(surface.name.string(), [&] {
+    with_error_prefix(surface.name, [&] {
       mesh::ElementArrays rest = mesh::flat_elements(surface.mesh);
       mesh::scale_to_total_weight(rest, 1);
       problem.start = tutte_start(surface, rest);

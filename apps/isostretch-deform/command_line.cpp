@@ -4,10 +4,11 @@
 #include "common/exit_code.hpp"
 #include "common/handle_text.hpp"
 #include "common/json_value.hpp"
-#include "common/material.hpp"
 #include "common/validators.hpp"
 #include "scene.hpp"
 #include "scene_reader.hpp"
+
+#include <isostretch/deformation/material.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -18,7 +19,7 @@ namespace {
 
 std::string energy_list() {
   return "In space:\n" + energy_table(3) + "\nIn the plane:\n" + listed(energy_names_in(2)) +
-         "\n\nWith --young and --poisson:\n" + listed(energies_with_material()) + "\n";
+         "\n\nWith --young and --poisson:\n" + listed(deformation::energies_with_material()) + "\n";
 }
 
 }  // namespace
@@ -90,10 +91,11 @@ void CommandLine::declare_scene(CLI::App& cli) {
       ->type_name("N")
       ->default_str(std::to_string(10));
   cli.add_option("--guess", guess_,
-                 "Shape that the solver starts every frame from: " + listed(all_names(guess_names)))
-      ->check(one_of(all_names(guess_names)))
+                 "Shape that the solver starts every frame from: " +
+                     listed(all_names(deformation::initial_guess_names)))
+      ->check(one_of(all_names(deformation::initial_guess_names)))
       ->type_name("NAME")
-      ->default_str(name_of(guess_names, Guess::biharmonic));
+      ->default_str(name_of(deformation::initial_guess_names, InitialGuess::biharmonic));
   cli.add_option(
          "--order", order_,
          "2 makes quadratic elements of the linear ones in the file: slower, but bending is not too stiff")

@@ -1,10 +1,10 @@
 #include "deform.hpp"
+#include "common/handle_miss_report.hpp"
 
 #include "common/animation.hpp"
-#include "common/body_check.hpp"
 #include "common/body_reader.hpp"
-#include "common/handle_misses.hpp"
-#include "common/interrupt.hpp"
+#include "common/check_report.hpp"
+#include "common/monitor.hpp"
 #include "common/newton_report.hpp"
 #include "common/preview.hpp"
 #include "common/rig_figure.hpp"
@@ -18,22 +18,24 @@
 
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
+#include <isostretch/deformation/handle_misses.hpp>
+#include <isostretch/deformation/solid_check.hpp>
 
 #include <utility>
 
 namespace isostretch::app::deform {
 namespace {
 
-BodySpec read_spec(const CommandLine& command_line, const Json& scene) {
+SolidSpec read_spec(const CommandLine& command_line, const Json& scene) {
   const std::filesystem::path folder = scene_folder(command_line.input());
-  BodySpec spec = reading_scene(command_line.input(), [&] { return read_body_spec(scene, folder); });
+  SolidSpec spec = reading_scene(command_line.input(), [&] { return read_body_spec(scene, folder); });
   spec.repair = command_line.repair();
   return spec;
 }
 
 ExitCode check(const CommandLine& command_line) {
-  const BodySpec spec = read_spec(command_line, command_line.scene());
-  return print_check(reading_body(command_line.input(), spec, [&] { return check_body(spec); }));
+  const SolidSpec spec = read_spec(command_line, command_line.scene());
+  return print_check(reading_body(command_line.input(), spec, [&] { return check_solid(spec); }));
 }
 
 class Job {
@@ -44,21 +46,22 @@ class Job {
         json_(command_line.scene()),
         body_(timed(seconds_.read, [&] { return read_body(command_line); })),
         scene_(reading_scene(command_line.input(), [&] { return read_scene(json_, body_.dim); })),
-        rig_(reading_scene(command_line.input(), [&] { return Rig(scene_.script, body_); })),
+        handle_set_(reading_scene(command_line.input(), [&] { return HandleSet(scene_.script, body_); })),
         problem_(timed(seconds_.read,
                        [&] {
-                         return reading_scene(command_line.input(),
-                                              [&] { return Problem(scene_, body_, rig_); });
+                         return reading_scene(command_line.input(), [&] {
+                           return deformation::ElasticProblem(scene_, body_, handle_set_);
+                         });
                        })),
         strain_(body_.elements),
-        animation_(body_, figure_lines(rig_, body_)),
-        result_{scene_, body_, rig_, problem_, Outcome::finished, {}, Json::array(), {}, {}, 0, {}} {
+        animation_(body_, figure_lines(handle_set_, body_)),
+        result_{scene_, body_, handle_set_, problem_, Outcome::finished, {}, Json::array(), {}, {}, 0, {}} {
     reading_scene(command_line.input(), [&] { require_holds(scene_.format, body_); });
     warn_of_loose_components();
   }
 
   // The handles, before anything is solved.
-  ExitCode preview() { return show_preview({rig_, body_, scene_.script.end}, options_.out); }
+  ExitCode preview() { return show_preview({handle_set_, body_, scene_.script.end}, options_.out); }
 
   ExitCode run() {
     State state = options_.restart ? restored() : State();
@@ -72,13 +75,14 @@ class Job {
   }
 
  private:
-  Body read_body(const CommandLine& command_line) {
-    const BodySpec spec = read_spec(command_line, json_);
-    return reading_body(command_line.input(), spec, [&] { return load_body(spec); });
+  SolidModel read_body(const CommandLine& command_line) {
+    const SolidSpec spec = read_spec(command_line, json_);
+    return reading_body(command_line.input(), spec, [&] { return deformation::load_solid(spec); });
   }
 
   void warn_of_loose_components() {
-    const std::string text = loose_components_text(loose_components(rig_, body_));
+    const std::string text =
+        deformation::loose_components_text(deformation::loose_components(handle_set_, body_));
     if (!text.empty()) add_warning(text);
   }
 
@@ -107,9 +111,10 @@ class Job {
   }
 
   void make_frames(State& state, OutputFolder& folder) {
-    Stepper stepper(
-        scene_, body_, rig_, problem_, [this](const std::string& text) { add_warning(text); },
-        options_.time_limit);
+    scene_.newton.time_limit = options_.time_limit;
+    deformation::Stepper stepper(
+        scene_, body_, handle_set_, problem_, [this](const std::string& text) { add_warning(text); },
+        terminal_monitor());
     result_.positions = state.positions;
     animation_.add(state.frame, scene_.script.time(state.frame), state.positions,
                    strain_.at(state.positions));
@@ -133,14 +138,15 @@ class Job {
   }
 
   // False when it was not reached; `state` then stays at the frame before.
-  bool make_frame(int frame, Stepper& stepper, OutputFolder& folder, State& state) {
+  bool make_frame(int frame, deformation::Stepper& stepper, OutputFolder& folder, State& state) {
     Vector positions = state.positions;
-    const FrameResult made = stepper.advance(frame, positions);
+    const deformation::FrameResult made = stepper.advance(frame, positions);
+    clear_progress();
     const StrainField strain = strain_.at(positions);
     const bool moved = made.parts > 0;  // there is something to show
     const std::string file = frame_name(frame, scene_.format);
     if (moved) {
-      last_misses_ = handle_misses(rig_, made.time, body_.dim, positions);
+      last_misses_ = deformation::handle_misses(handle_set_, made.time, body_.dim, positions);
       result_.frames.push_back(frame_json(frame, made, made.time, strain, misses_json(last_misses_), file));
       result_.trace += trace_rows(frame, made.summary, result_.trace.empty());
       result_.positions = positions;
@@ -159,7 +165,7 @@ class Job {
     return true;
   }
 
-  std::string progress(int frame, const FrameResult& made, const StrainField& strain) const {
+  std::string progress(int frame, const deformation::FrameResult& made, const StrainField& strain) const {
     return formatted("frame %d of %d: %s, %d iterations, min det F %.3g, %.2f s", frame, scene_.script.frames,
                      made.summary.converged() ? "converged" : made.summary.message.c_str(),
                      made.summary.iterations, strain.smallest_det(), made.seconds);
@@ -183,7 +189,7 @@ class Job {
   // Of the last frame. Stretches go with an energy; handles that are not where they should be go with its
   // weights.
   void warn_of_misses() {
-    for (const std::string& text : miss_warnings(last_misses_, body_.diagonal()))
+    for (const std::string& text : deformation::miss_warnings(last_misses_, body_.diagonal()))
       add_warning("the last frame: " + text);
   }
 
@@ -217,10 +223,10 @@ class Job {
   Options options_;
   const CommonOptions& common_;
   Json json_;
-  Body body_;
+  SolidModel body_;
   Scene scene_;
-  Rig rig_;
-  Problem problem_;
+  HandleSet handle_set_;
+  deformation::ElasticProblem problem_;
   Strain strain_;
   Animation animation_;  // of this run: from the frame that it went on from
   Result result_;

@@ -1,6 +1,6 @@
 #include "report.hpp"
+#include "common/handle_miss_report.hpp"
 
-#include "common/handle_misses.hpp"
 #include "common/newton_report.hpp"
 #include "common/sequence_report.hpp"
 #include "common/threads.hpp"
@@ -8,6 +8,7 @@
 #include <isostretch/core/isa.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/version.hpp>
+#include <isostretch/deformation/handle_misses.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -36,7 +37,7 @@ const char* outcome_name(Outcome outcome) {
   return "failed";
 }
 
-Json mesh_json(const Body& body) {
+Json mesh_json(const SolidModel& body) {
   return {{"name", body.name},
           {"element", mesh::shape_name(body.shape)},
           {"nodes", body.nodes.rows()},
@@ -47,9 +48,9 @@ Json mesh_json(const Body& body) {
           {"fingerprint", body.fingerprint()}};
 }
 
-Json handles_json(const Rig& rig) {
+Json handles_json(const HandleSet& handle_set) {
   Json json = Json::array();
-  for (const Handle& handle : rig.handles()) {
+  for (const Handle& handle : handle_set.handles()) {
     Json entry{
         {"name", handle.name}, {"nodes", handle.nodes.size()}, {"kind", handle.soft ? "soft" : "hard"}};
     if (handle.soft) entry["weight"] = *handle.soft;
@@ -58,9 +59,9 @@ Json handles_json(const Rig& rig) {
   return json;
 }
 
-Json regions_json(const Problem& problem) {
+Json regions_json(const deformation::ElasticProblem& problem) {
   Json json = Json::array();
-  for (const Region& region : problem.regions()) {
+  for (const deformation::Region& region : problem.regions()) {
     Json parameters = Json::object();
     for (const auto& parameter : region.energy.parameters()) parameters[parameter.name] = parameter.value;
     json.push_back({{"name", region.name},
@@ -78,7 +79,7 @@ int reached_frames(const Json& frames) {
 
 }  // namespace
 
-Json frame_json(int frame, const FrameResult& result, double time, const StrainField& strain,
+Json frame_json(int frame, const deformation::FrameResult& result, double time, const StrainField& strain,
                 const Json& handles, const std::string& file) {
   const newton::Summary& s = result.summary;
   Json json{{"frame", frame},
@@ -112,7 +113,9 @@ Json rest_frame_json(const Result& result, const StrainField& strain, const std:
 }
 
 std::string trace_rows(int frame, const newton::Summary& summary, bool head) {
-  const std::string text = trace_csv(summary, "frame", std::vector<int>(summary.trace.size(), frame));
+  Trace trace = newton::trace_table(summary);
+  trace.add_column("frame", std::vector<double>(trace.rows.size(), frame));
+  const std::string text = to_csv(trace);
   return head ? text : text.substr(text.find('\n') + 1);
 }
 
@@ -169,7 +172,7 @@ Json summary_json(const Result& r, const PhaseSeconds& seconds) {
               {"solve", seconds.solve},
               {"write", seconds.write}}},
             {"mesh", mesh_json(r.body)},
-            {"handles", handles_json(r.rig)},
+            {"handles", handles_json(r.handle_set)},
             {"regions", regions_json(r.problem)},
             {"warnings", r.warnings},
             {"frames", r.frames},

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "common/deformation_names.hpp"
+#include "scene.hpp"
+
 #include "common/exit_code.hpp"
 #include "common/output_folder.hpp"
 #include "options.hpp"
-#include "problem.hpp"
-#include "sequence.hpp"
+
+#include <isostretch/deformation/elastic_problem.hpp>
+#include <isostretch/deformation/sequence.hpp>
 
 #include <nlohmann/json.hpp>
 
@@ -26,9 +30,9 @@ enum class Outcome { finished, stop_after, stopped, failed };
 // What came of it, all that the reports are made of.
 struct Result {
   const Scene& scene;
-  const Body& body;
-  const Rig& rig;
-  const Problem& problem;
+  const SolidModel& body;
+  const HandleSet& handle_set;
+  const deformation::ElasticProblem& problem;
   Outcome outcome = Outcome::finished;
   std::string message;   // of the frame that ended it, when not finished
   Json frames;           // an entry for each, an unfinished one included
@@ -40,7 +44,7 @@ struct Result {
 
 // An entry of "frames" in summary.json, `handles` as misses_json() has them. Frame 0 is the rest shape,
 // without a solve.
-Json frame_json(int frame, const FrameResult& result, double time, const StrainField& strain,
+Json frame_json(int frame, const deformation::FrameResult& result, double time, const StrainField& strain,
                 const Json& handles, const std::string& file);
 Json rest_frame_json(const Result& result, const StrainField& strain, const std::string& file);
 

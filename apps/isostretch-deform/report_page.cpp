@@ -1,9 +1,10 @@
-#include "common/handle_misses.hpp"
+#include "common/handle_miss_report.hpp"
 #include "common/html.hpp"
 #include "common/report_style.hpp"
 #include "report.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/deformation/handle_misses.hpp>
 
 namespace isostretch::app::deform {
 namespace {

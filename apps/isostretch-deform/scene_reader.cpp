@@ -12,11 +12,11 @@
 namespace isostretch::app::deform {
 namespace {
 
-RegionSpec read_region(const JsonValue& value, int dim, const JsonValue& scene) {
+deformation::RegionSpec read_region(const JsonValue& value, int dim, const JsonValue& scene) {
   value.only({"name", "select", "elements", "energy", "material"});
   if (value.has("select") == value.has("elements")) value.fail("give either select or elements");
   if (!value.has("energy") && !value.has("material")) value.fail("gives neither energy nor material");
-  RegionSpec region{value.path(), value.path(), {}, {}, read_energy(value, dim, scene)};
+  deformation::RegionSpec region{value.path(), value.path(), {}, {}, read_energy(value, dim, scene)};
   if (const auto name = value.find("name")) region.name = name->text();
   if (const auto select = value.find("select")) region.select = read_selection(*select, dim);
   if (const auto elements = value.find("elements")) region.elements = elements->whole_numbers();
@@ -30,10 +30,10 @@ std::vector<std::string> scene_keys() {
           "handles", "frames", "guess",      "format", "solver"};
 }
 
-BodySpec read_body_spec(const Json& json, const std::filesystem::path& folder) {
+SolidSpec read_body_spec(const Json& json, const std::filesystem::path& folder) {
   const JsonValue scene(json);
   scene.only(scene_keys());
-  BodySpec spec;
+  SolidSpec spec;
   read_mesh(scene.at("mesh"), folder, spec);
   if (const auto order = scene.find("order")) spec.order = order->whole(1, 2);
   if (const auto quadrature = scene.find("quadrature")) spec.quadrature = quadrature->whole(1, 5);
@@ -81,11 +81,11 @@ Json solver_json(const newton::Options& options) {
 
 Scene read_scene(const Json& json, int dim) {
   const JsonValue scene(json);
-  Scene result{json, read_energy(scene, dim, {})};
+  Scene result{{.energy = read_energy(scene, dim, {})}, json};
   if (const auto regions = scene.find("regions"))
     for (const JsonValue& value : regions->items()) result.regions.push_back(read_region(value, dim, scene));
   result.script = read_handle_script(scene, dim, Holding::hard, result.script.frames);
-  if (const auto guess = scene.find("guess")) result.guess = guess->choice(guess_names);
+  if (const auto guess = scene.find("guess")) result.guess = guess->choice(deformation::initial_guess_names);
   if (const auto format = scene.find("format")) result.format = format->choice(frame_format_names);
   result.newton = read_solver(json);
   return result;

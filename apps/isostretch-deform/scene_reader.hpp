@@ -1,6 +1,7 @@
 #pragma once
 
-#include "common/body.hpp"
+#include "common/deformation_names.hpp"
+
 #include "scene.hpp"
 
 #include <filesystem>
@@ -14,7 +15,7 @@ std::vector<std::string> scene_keys();
 
 // The body and the solver's options first, for what the rest means depends on the dimension of the body.
 // Files are looked for in `folder`. All throw Error naming the key by its path.
-BodySpec read_body_spec(const Json& json, const std::filesystem::path& folder);
+SolidSpec read_body_spec(const Json& json, const std::filesystem::path& folder);
 newton::Options read_solver(const Json& json);
 Scene read_scene(const Json& json, int dim);
 

@@ -33,7 +33,7 @@ void require_same_scene(const Json& before, const Json& now) {
   }
 }
 
-void require_same(const Json& json, const Scene& scene, const Body& body) {
+void require_same(const Json& json, const Scene& scene, const SolidModel& body) {
   const JsonValue state(json);
   if (!state.at("scene").is_object()) state.fail("is damaged: scene: must be an object {...}");
   require_same_scene(json["scene"], scene.json);
@@ -47,7 +47,7 @@ bool same_version(const Json& json) {
 }
 
 // What the reports read of a frame later.
-void require_frame(const JsonValue& value, int number, const Body& body) {
+void require_frame(const JsonValue& value, int number, const SolidModel& body) {
   const int elements = body.elements.element_count();
   value.at("frame").whole(number, number);
   value.at("time").number();
@@ -64,7 +64,7 @@ void require_frame(const JsonValue& value, int number, const Body& body) {
   if (const auto seconds = value.find("seconds")) seconds->number();
 }
 
-State state_in(const JsonValue& value, const Scene& scene, const Body& body) {
+State state_in(const JsonValue& value, const Scene& scene, const SolidModel& body) {
   State state;
   state.frame = value.at("frame").whole(0, scene.script.frames);
   const auto frames = value.at("frames").items();
@@ -85,7 +85,7 @@ State state_in(const JsonValue& value, const Scene& scene, const Body& body) {
 
 }  // namespace
 
-std::string state_text(const State& state, const Json& scene, const Body& body) {
+std::string state_text(const State& state, const Json& scene, const SolidModel& body) {
   const Json json{{"version", version_string},
                   {"instruction_set", isa_name(active_isa())},
                   {"scene", scene},
@@ -97,7 +97,7 @@ std::string state_text(const State& state, const Json& scene, const Body& body) 
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-State read_state(const std::filesystem::path& folder, const Scene& scene, const Body& body) {
+State read_state(const std::filesystem::path& folder, const Scene& scene, const SolidModel& body) {
   const std::filesystem::path file = folder / state_file;
   if (!std::filesystem::exists(file))
     throw Error(file.string() + ": not there, so there is nothing for --restart to go on from");

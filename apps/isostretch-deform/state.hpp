@@ -1,6 +1,7 @@
 #pragma once
 
-#include "common/body.hpp"
+#include "common/deformation_names.hpp"
+
 #include "common/output_folder.hpp"
 #include "scene.hpp"
 
@@ -22,10 +23,10 @@ struct State {
 inline constexpr const char* state_file = "restart.json";
 
 // As the content of that file, with the scene and the body it belongs to. Numbers read back to the bit.
-std::string state_text(const State& state, const Json& scene, const Body& body);
+std::string state_text(const State& state, const Json& scene, const SolidModel& body);
 
 // Throws Error naming the file when there is none, and what has changed when it belongs to another scene or
 // body, or what is damaged.
-State read_state(const std::filesystem::path& folder, const Scene& scene, const Body& body);
+State read_state(const std::filesystem::path& folder, const Scene& scene, const SolidModel& body);
 
 }  // namespace isostretch::app::deform

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "common/choice_names.hpp"
+#include <isostretch/core/choice_names.hpp>
+#include <isostretch/core/text.hpp>
 
 #include <filesystem>
 #include <map>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/deformation_names.hpp"
+
 #include "options.hpp"
 #include "spectrum.hpp"
 

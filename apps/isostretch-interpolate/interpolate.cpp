@@ -1,8 +1,9 @@
 #include "interpolate.hpp"
 
 #include "common/animation.hpp"
-#include "common/figures/edges.hpp"
-#include "common/interrupt.hpp"
+#include "common/check_report.hpp"
+#include "common/energy_choice.hpp"
+#include "common/monitor.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "common/timed.hpp"
@@ -10,6 +11,7 @@
 
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
+#include <isostretch/surface/edges.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -25,26 +27,53 @@ bool is_drawn(int frame, int frames) {
   return false;
 }
 
+// Prints what is to be known of both poses, and whether they belong together: ExitCode::input if not.
+ExitCode check_poses(const Options& options) {
+  return with_error_kind(ErrorKind::input, [&] {
+    SolidSpec spec;
+    spec.repair = options.repair;
+    spec.file = options.first;
+    SolidCheck a = deformation::check_solid(spec);
+    spec.file = options.second;
+    SolidCheck b = deformation::check_solid(spec);
+    const ExitCode codes[] = {print_check(a), print_check(b)};
+    if (codes[0] != ExitCode::success || codes[1] != ExitCode::success) return ExitCode::input;
+    try {
+      deformation::require_pair({std::move(*a.body), std::move(*b.body)}, options.first.string(),
+                                options.second.string());
+    } catch (const Error& error) {
+      print(std::string("The poses do not belong together: ") + error.what() + "\n");
+      return ExitCode::input;
+    }
+    print("The poses belong together.\n");
+    return ExitCode::success;
+  });
+}
+
 class Job {
  public:
   Job(const CommandLine& command_line, const CommonOptions& common)
       : options_(command_line.options()),
         common_(common),
-        poses_(timed(seconds_.read,
-                     [&] {
-                       return with_error_kind(ErrorKind::input, [&] {
-                         return read_poses(options_.first, options_.second, options_.repair);
-                       });
-                     })),
+        key_shapes_(timed(seconds_.read,
+                          [&] {
+                            return with_error_kind(ErrorKind::input, [&] {
+                              return deformation::read_key_shapes(options_.first, options_.second,
+                                                                  options_.repair);
+                            });
+                          })),
         energy_(with_error_kind(ErrorKind::misuse,
                                 [&] {
-                                  require_holds(options_.format, poses_.first);
-                                  return choose_shape_energy(options_, poses_.first.dim);
+                                  require_holds(options_.format, key_shapes_.first);
+                                  energies::AnyEnergy energy = choose_energy(
+                                      options_.energy, options_.parameters, key_shapes_.first.dim);
+                                  deformation::require_least_at_rest(energy, key_shapes_.first.dim);
+                                  return energy;
                                 })),
-        strains_{Strain(poses_.first.elements), Strain(poses_.second.elements)},
-        interpolator_(options_, poses_, energy_),
-        animation_(poses_.first, outline(poses_.first)),
-        result_{options_, poses_, energy_} {
+        strains_{Strain(key_shapes_.first.elements), Strain(key_shapes_.second.elements)},
+        interpolator_(options_, key_shapes_, energy_, terminal_monitor()),
+        animation_(key_shapes_.first, outline(key_shapes_.first)),
+        result_{options_, key_shapes_, energy_} {
     if (!energy_.has_barrier())
       warn_of("'" + energy_.name() + "' has no barrier: frames may have inverted elements");
   }
@@ -62,9 +91,9 @@ class Job {
   }
 
  private:
-  static std::vector<std::array<int, 2>> outline(const Body& body) {
+  static std::vector<std::array<int, 2>> outline(const SolidModel& body) {
     if (body.dim == 3) return {};
-    return figures::edges_of(body.surface.mesh.triangles).boundary;
+    return mesh::edges_of(body.surface.mesh.triangles).boundary;
   }
 
   void warn_of(std::string text) {
@@ -80,7 +109,8 @@ class Job {
         return;
       }
       frames_.push_back(interpolator_.next());
-      const Frame& frame = frames_.back();
+      clear_progress();
+      const deformation::InterpolationFrame& frame = frames_.back();
       const Strains strains{strains_[0].at(frame.settled), strains_[1].at(frame.settled)};
       add_frame(result_, frame, strains, frame_name(number, options_.format));
       if (frame.solved) notice(progress(frame, strains));
@@ -93,11 +123,11 @@ class Job {
 
   // Only now is known how all of them lie.
   void write_frames(OutputFolder& folder) {
-    for (const Frame& frame : frames_) {
+    for (const deformation::InterpolationFrame& frame : frames_) {
       const Vector positions = interpolator_.placed(frame);
       const StrainField first = strains_[0].at(positions), second = strains_[1].at(positions);
       folder.write_now(frame_name(frame.number, options_.format),
-                       format_frame(options_.format, poses_.first, positions,
+                       format_frame(options_.format, key_shapes_.first, positions,
                                     {{"min_det_F_1", first.min_det},
                                      {"min_det_F_2", second.min_det},
                                      {"length_change_1", first.length_change},
@@ -114,7 +144,7 @@ class Job {
     shots.push_back(std::move(shot));
   }
 
-  std::string progress(const Frame& frame, const Strains& strains) const {
+  std::string progress(const deformation::InterpolationFrame& frame, const Strains& strains) const {
     return formatted("frame %d of %d: %s, %d iterations, min det F %.3g and %.3g, %.3f s", frame.number,
                      options_.frames, frame.summary.converged() ? "converged" : frame.summary.message.c_str(),
                      frame.summary.iterations, strains[0].smallest_det(), strains[1].smallest_det(),
@@ -150,12 +180,12 @@ class Job {
   PhaseSeconds seconds_;
   Options options_;
   const CommonOptions& common_;
-  Poses poses_;
+  deformation::KeyShapes key_shapes_;
   energies::AnyEnergy energy_;
   std::array<Strain, 2> strains_;
-  Interpolator interpolator_;
+  deformation::Interpolation interpolator_;
   Animation animation_;
-  std::vector<Frame> frames_;
+  std::vector<deformation::InterpolationFrame> frames_;
   Result result_;
 };
 
@@ -163,7 +193,7 @@ class Job {
 
 ExitCode interpolate(const CommandLine& command_line, const CommonOptions& common) {
   const Options options = command_line.options();
-  if (options.check) return check_poses(options.first, options.second, options.repair);
+  if (options.check) return check_poses(options);
   return Job(command_line, common).run();
 }
 

@@ -1,13 +1,13 @@
 #include "common/figures/deformation_figure.hpp"
-#include "common/figures/edges.hpp"
 #include "report.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/surface/edges.hpp>
 
 namespace isostretch::app::interpolate {
 namespace {
 
-mesh::Points3 surface_points(const Body& body, const Vector& positions) {
+mesh::Points3 surface_points(const SolidModel& body, const Vector& positions) {
   const mesh::Points3 points = body.points(positions);
   const std::vector<int>& original = body.surface.original_vertex;
   mesh::Points3 result(static_cast<Eigen::Index>(original.size()), 3);
@@ -17,14 +17,14 @@ mesh::Points3 surface_points(const Body& body, const Vector& positions) {
 }
 
 std::string subtitle(const Result& r) {
-  const Body& body = r.poses.first;
+  const SolidModel& body = r.poses.first;
   double least = HUGE_VAL;
   long iterations = 0;
   for (const Json& frame : r.frames) {
     least = std::min({least, frame["min_det_F_1"].get<double>(), frame["min_det_F_2"].get<double>()});
     iterations += frame["iterations"].get<long>();
   }
-  return with_thousands(body.elements.element_count()) + " " + plural_name(body.shape) +
+  return with_thousands(body.elements.element_count()) + " " + deformation::plural_name(body.shape) +
          formatted(
              "   ·   %zu frames, %ld iterations   ·   min det F %.3g over all   ·   colour: against the "
              "first pose",
@@ -40,7 +40,7 @@ std::string caption(const Result& r, const Snapshot& shot) {
 }  // namespace
 
 std::string draw_frames(const Result& r) {
-  const Body& body = r.poses.first;
+  const SolidModel& body = r.poses.first;
   const Strain strain(body.elements);
   std::vector<figures::DeformedState> states;
   for (const Snapshot& shot : r.snapshots) {
@@ -49,7 +49,7 @@ std::string draw_frames(const Result& r) {
                       std::move(field.inverted)});
   }
   std::vector<std::array<int, 2>> lines;
-  if (body.dim == 2) lines = figures::edges_of(body.surface.mesh.triangles).boundary;
+  if (body.dim == 2) lines = mesh::edges_of(body.surface.mesh.triangles).boundary;
   return figures::draw_deformation(
       {.title = r.poses.first.name + " to " + r.poses.second.name + ", " + r.energy.name(),
        .subtitle = subtitle(r),

@@ -30,7 +30,8 @@ void add_strain(Json& json, const Strains& strains) {
   json["inverted"] = strains[0].inverted.size();
 }
 
-Json frame_json(const Frame& frame, const Strains& strains, const std::string& file) {
+Json frame_json(const deformation::InterpolationFrame& frame, const Strains& strains,
+                const std::string& file) {
   const newton::Summary& s = frame.summary;
   Json json{{"frame", frame.number}, {"time", frame.time}, {"file", file}};
   json["status"] = frame.solved ? std::string(newton::status_name(s.status)) : std::string("pose");
@@ -53,9 +54,11 @@ Json frame_json(const Frame& frame, const Strains& strains, const std::string& f
   return json;
 }
 
-std::string trace_rows(const Frame& frame, bool head) {
+std::string trace_rows(const deformation::InterpolationFrame& frame, bool head) {
   const newton::Summary& s = frame.summary;
-  const std::string text = trace_csv(s, "frame", std::vector<int>(s.trace.size(), frame.number));
+  Trace trace = newton::trace_table(s);
+  trace.add_column("frame", std::vector<double>(trace.rows.size(), frame.number));
+  const std::string text = to_csv(trace);
   return head ? text : text.substr(text.find('\n') + 1);
 }
 
@@ -89,8 +92,8 @@ std::string inverted_text(const Result& r) {
   return {};
 }
 
-Json mesh_json(const Poses& poses) {
-  const Body &a = poses.first, &b = poses.second;
+Json mesh_json(const deformation::KeyShapes& poses) {
+  const SolidModel &a = poses.first, &b = poses.second;
   const char* size = a.dim == 2 ? "area" : "volume";
   return {{"element", mesh::shape_name(a.shape)},
           {"nodes", a.nodes.rows()},
@@ -107,7 +110,8 @@ Json parameters_json(const energies::AnyEnergy& energy) {
 
 }  // namespace
 
-void add_frame(Result& r, const Frame& frame, const Strains& strains, const std::string& file) {
+void add_frame(Result& r, const deformation::InterpolationFrame& frame, const Strains& strains,
+               const std::string& file) {
   r.frames.push_back(frame_json(frame, strains, file));
   r.trace += trace_rows(frame, r.trace.empty());
   add_to(r.phases, frame.summary.seconds);

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "common/deformation_names.hpp"
+
 #include "common/exit_code.hpp"
 #include "common/output_folder.hpp"
-#include "common/strain.hpp"
 #include "options.hpp"
-#include "poses.hpp"
-#include "sequence.hpp"
 
+#include <isostretch/deformation/interpolation.hpp>
+#include <isostretch/deformation/key_shapes.hpp>
 #include <isostretch/energies/any_energy.hpp>
 
 #include <nlohmann/json.hpp>
@@ -36,7 +37,7 @@ enum class Outcome { finished, stopped, failed };
 // What came of it, all that the reports are made of.
 struct Result {
   const Options& options;
-  const Poses& poses;
+  const deformation::KeyShapes& poses;
   const energies::AnyEnergy& energy;
   Outcome outcome = Outcome::finished;
   std::string message = {};  // of the frame that ended it, when not finished
@@ -52,7 +53,8 @@ struct Result {
 using Strains = std::array<StrainField, 2>;
 
 // Adds an entry of "frames" in summary.json, rows of trace.csv, and to the sums.
-void add_frame(Result& result, const Frame& frame, const Strains& strains, const std::string& file);
+void add_frame(Result& result, const deformation::InterpolationFrame& frame, const Strains& strains,
+               const std::string& file);
 
 // Whether the last frame is much further from the one before than frames are elsewhere: the way has ended in
 // another minimum than the second pose.

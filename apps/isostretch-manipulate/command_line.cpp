@@ -109,9 +109,9 @@ void CommandLine::declare_problem(CLI::App& cli) {
   cli.add_flag(
       "--absolute", absolute_,
       "Weigh handles by lengths of the mesh instead of shares of its diagonal, as published scenes do");
-  add_choice(
-      cli, "--weights", weights_, weights_names,
-      "How much an element counts: its volume, or all the same: ", name_of(weights_names, Weights::volume));
+  add_choice(cli, "--weights", weights_, weights_names,
+             "How much an element counts: its volume, or all the same: ",
+             name_of(weights_names, ElementWeights::volume));
   cli.add_option("--incompressibility", incompressibility_,
                  "Weight of the term that keeps volume (kappa): above 0 for bodies like rubber or flesh")
       ->check(not_negative())
@@ -276,7 +276,7 @@ Json CommandLine::scene() const {
   if (frames_ && frames_->find(':') == std::string::npos)
     scene["frames"] = with_error_kind(ErrorKind::misuse, [&] { return frame_number(*frames_, *frames_); });
   if (alpha_) scene["alpha"] = *alpha_;
-  if (absolute_) scene["units"] = name_of(units_names, Units::mesh);
+  if (absolute_) scene["units"] = name_of(units_names, LengthUnit::mesh);
   if (weights_) scene["weights"] = *weights_;
   if (incompressibility_) scene["incompressibility"] = *incompressibility_;
   if (margin_) scene["margin"] = *margin_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/deformation_names.hpp"
+
 #include "common/frame_flags.hpp"
 #include "common/look_flags.hpp"
 #include "common/output_folder.hpp"

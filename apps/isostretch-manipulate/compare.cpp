@@ -67,7 +67,7 @@ class Match {
  private:
   // As a run will: what is wrong is to be said once, of the files that the user knows.
   void read() {
-    const Body body = read_body(command_line_, scene_);
+    const SolidModel body = read_body(command_line_, scene_);
     const Scene scene = read_scene(command_line_, scene_, body);
     read_rig(command_line_, scene, body);
     name_ = command_line_.has_scene_file() ? command_line_.input().stem().string() : body.name;

@@ -9,8 +9,8 @@
 namespace isostretch::app::manipulate {
 namespace {
 
-BodySpec read_spec(const CommandLine& command_line, const Json& scene) {
-  BodySpec spec = reading_scene(command_line.input(), [&] {
+SolidSpec read_spec(const CommandLine& command_line, const Json& scene) {
+  SolidSpec spec = reading_scene(command_line.input(), [&] {
     return read_body_spec(scene, command_line.folder(), command_line.refine());
   });
   spec.repair = command_line.repair();
@@ -19,21 +19,22 @@ BodySpec read_spec(const CommandLine& command_line, const Json& scene) {
 
 }  // namespace
 
-Body read_body(const CommandLine& command_line, const Json& scene) {
-  const BodySpec spec = read_spec(command_line, scene);
+SolidModel read_body(const CommandLine& command_line, const Json& scene) {
+  const SolidSpec spec = read_spec(command_line, scene);
   return reading_body(command_line.input(), spec, [&] {
-    Body body = load_body(spec);
+    SolidModel body = deformation::load_solid(spec);
     require_linear(body);
     return body;
   });
 }
 
-BodyCheck check_body(const CommandLine& command_line, const Json& scene) {
-  const BodySpec spec = read_spec(command_line, scene);
-  return reading_body(command_line.input(), spec, [&] { return app::check_body(spec, require_linear); });
+SolidCheck check_solid(const CommandLine& command_line, const Json& scene) {
+  const SolidSpec spec = read_spec(command_line, scene);
+  return reading_body(command_line.input(), spec,
+                      [&] { return deformation::check_solid(spec, require_linear); });
 }
 
-Scene read_scene(const CommandLine& command_line, const Json& scene, const Body& body) {
+Scene read_scene(const CommandLine& command_line, const Json& scene, const SolidModel& body) {
   return reading_scene(command_line.input(), [&] {
     Scene result = read_scene(scene, body.dim);
     require_holds(result.format, body);
@@ -41,8 +42,8 @@ Scene read_scene(const CommandLine& command_line, const Json& scene, const Body&
   });
 }
 
-Rig read_rig(const CommandLine& command_line, const Scene& scene, const Body& body) {
-  return reading_scene(command_line.input(), [&] { return Rig(scene.script, body); });
+HandleSet read_rig(const CommandLine& command_line, const Scene& scene, const SolidModel& body) {
+  return reading_scene(command_line.input(), [&] { return HandleSet(scene.script, body); });
 }
 
 FrameRange read_range(const Options& options, const Scene& scene) {

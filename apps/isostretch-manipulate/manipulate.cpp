@@ -1,7 +1,8 @@
 #include "manipulate.hpp"
+#include "common/check_report.hpp"
+#include "frame.hpp"
 
 #include "common/animation.hpp"
-#include "common/handle_misses.hpp"
 #include "common/preview.hpp"
 #include "common/rig_figure.hpp"
 #include "common/scene_input.hpp"
@@ -16,6 +17,7 @@
 
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
+#include <isostretch/deformation/handle_misses.hpp>
 
 #include <utility>
 
@@ -38,26 +40,29 @@ class Job {
         json_(command_line.scene()),
         body_(timed(seconds_.read, [&] { return read_body(command_line, json_); })),
         scene_(read_scene(command_line, json_, body_)),
-        rig_(read_rig(command_line, scene_, body_)),
+        handle_set_(read_rig(command_line, scene_, body_)),
         photo_(read_photo(command_line)),
         strain_(body_.elements),
-        animation_(body_, figure_lines(rig_, body_), scene_.up),
+        animation_(body_, figure_lines(handle_set_, body_), scene_.up),
         range_(read_range(options_, scene_)) {}
 
   // The handles, before anything is solved.
   ExitCode preview() {
-    if (const std::string text = loose_components_text(loose_components(rig_, body_)); !text.empty())
+    if (const std::string text =
+            deformation::loose_components_text(deformation::loose_components(handle_set_, body_));
+        !text.empty())
       warn(text);
-    return show_preview({rig_, body_, scene_.script.time(range_.last), scene_.up}, options_.out);
+    return show_preview({handle_set_, body_, scene_.script.time(range_.last), scene_.up}, options_.out);
   }
 
   ExitCode run(const CommandLine& command_line) {
     OutputFolder folder(options_.out);
     if (!options_.weights_cache.empty()) const OutputFolder writable(options_.weights_cache);
-    const ElementRotations rotations = reading_scene(
-        command_line.input(), [&] { return ElementRotations(scene_, body_, rig_, options_.weights_cache); });
+    const deformation::ElementRotations rotations = reading_scene(command_line.input(), [&] {
+      return deformation::ElementRotations(scene_, body_, handle_set_, options_.weights_cache);
+    });
     seconds_.weights = rotations.seconds();
-    Result result{scene_, body_, rig_, rotations, name_of_run(command_line)};
+    Result result{scene_, body_, handle_set_, rotations, name_of_run(command_line)};
     result.wanted = range_.last - range_.first + 1;
     warn_of_loose_components(result);
     timed(seconds_.write, [&] { write_rest(result, folder); });
@@ -85,7 +90,8 @@ class Job {
   }
 
   void warn_of_loose_components(Result& result) const {
-    const std::string text = loose_components_text(loose_components(rig_, body_));
+    const std::string text =
+        deformation::loose_components_text(deformation::loose_components(handle_set_, body_));
     if (!text.empty()) add_warning(result, text);
   }
 
@@ -117,7 +123,7 @@ class Job {
   }
 
   void make_frames(Result& result, OutputFolder& folder) {
-    FrameSolver solver(scene_, body_, rig_, result.rotations, options_);
+    FrameSolver solver(scene_, body_, handle_set_, result.rotations, options_);
     for (int frame = range_.first; frame <= range_.last; ++frame) {
       const std::string reason = solver.halt();
       if (!reason.empty() && frame > range_.first) {
@@ -175,11 +181,12 @@ class Job {
     const FrameResult& last = result.last;
     if (last.positions.size() == 0) return;
     const std::string frame = formatted("frame %d: ", last.frame);
-    for (const std::string& text :
-         miss_warnings(handle_misses(rig_, last.time, body_.dim, last.positions), body_.diagonal()))
+    for (const std::string& text : deformation::miss_warnings(
+             deformation::handle_misses(handle_set_, last.time, body_.dim, last.positions), body_.diagonal()))
       add_warning(result, frame + text);
     const StrainField strain = strain_.at(last.positions);
-    const std::string flat = nearly_flat_text(nearly_flat_elements(strain), strain, body_);
+    const std::string flat =
+        deformation::nearly_flat_text(deformation::nearly_flat_elements(strain), strain, body_);
     if (!flat.empty()) add_warning(result, frame + flat + "; --margin keeps elements from it");
   }
 
@@ -214,9 +221,9 @@ class Job {
   Options options_;
   const CommonOptions& common_;
   Json json_;
-  Body body_;
+  SolidModel body_;
   Scene scene_;
-  Rig rig_;
+  HandleSet handle_set_;
   std::optional<PhotoFrames> photo_;
   Strain strain_;
   Animation animation_;
@@ -227,7 +234,7 @@ class Job {
 
 ExitCode manipulate(const CommandLine& command_line, const CommonOptions& common) {
   const LookFlags look = command_line.options().look;
-  if (look.check) return print_check(check_body(command_line, command_line.scene()));
+  if (look.check) return print_check(check_solid(command_line, command_line.scene()));
   Job job(command_line, common);
   return look.preview ? job.preview() : job.run(command_line);
 }

@@ -38,7 +38,7 @@ std::string gap_text(const sdp_penalty::Iteration& row) {
 }
 
 figures::DeformationFigure path_figure(const Result& r, const Strain& strain,
-                                       const std::vector<const Iterate*>& iterates) {
+                                       const std::vector<const deformation::Iterate*>& iterates) {
   figures::DeformationFigure figure{.title = r.name + formatted(", frame %d: the way there", r.last.frame),
                                     .subtitle =
                                         "Iterates from ex-rotated skinning to the result; inverted elements "
@@ -47,10 +47,10 @@ figures::DeformationFigure path_figure(const Result& r, const Strain& strain,
                                     .triangles = r.body.surface.mesh.triangles,
                                     .element = r.body.surface.element,
                                     .volumes = r.body.volumes(),
-                                    .lines = figure_lines(r.rig, r.body),
+                                    .lines = figure_lines(r.handle_set, r.body),
                                     .flat = r.body.dim == 2,
                                     .up = r.scene.up};
-  for (const Iterate* iterate : iterates) {
+  for (const deformation::Iterate* iterate : iterates) {
     const StrainField field = strain.at(iterate->positions);
     figure.states.push_back(
         {{}, surface_points(r.body, r.body.points(iterate->positions)), field.length_change, field.inverted});

@@ -14,7 +14,7 @@ constexpr double largest_side = 16384, most_pixels = 64e6;  // of the pictures
 
 }  // namespace
 
-PhotoFrames::PhotoFrames(const PhotoSpec& spec, const Body& body)
+PhotoFrames::PhotoFrames(const PhotoSpec& spec, const SolidModel& body)
     : body_(body), photo_(figures::read_photo(spec.file)), origin_(0, photo_.height()), scale_(1, 1) {
   if (spec.fit == PhotoFit::pixels) return;
   const Eigen::RowVector2d low = body.nodes.leftCols<2>().colwise().minCoeff(),

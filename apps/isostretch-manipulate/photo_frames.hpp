@@ -1,6 +1,7 @@
 #pragma once
 
-#include "common/body.hpp"
+#include "common/deformation_names.hpp"
+
 #include "common/figures/photo.hpp"
 #include "common/output_folder.hpp"
 #include "scene.hpp"
@@ -14,7 +15,7 @@ namespace isostretch::app::manipulate {
 class PhotoFrames {
  public:
   // Throws Error naming the file.
-  PhotoFrames(const PhotoSpec& spec, const Body& body);
+  PhotoFrames(const PhotoSpec& spec, const SolidModel& body);
 
   void add(int frame, const Vector& positions) { frames_.push_back({frame, positions}); }
 
@@ -30,7 +31,7 @@ class PhotoFrames {
 
   mesh::Points2 on_photo(const Vector& positions) const;
 
-  const Body& body_;
+  const SolidModel& body_;
   figures::Photo photo_;
   Eigen::RowVector2d origin_, scale_;  // upper left corner, and pixels a unit
   std::vector<Frame> frames_;

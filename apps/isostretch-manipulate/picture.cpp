@@ -32,18 +32,19 @@ std::string draw_states(const Result& r, const Strain& strain) {
   return figures::draw_deformation(
       {.title = r.name + formatted(", frame %d of %d", f.frame, r.scene.script.frames) +
                 (r.scene.rival.empty() ? "" : ", by " + r.scene.rival),
-       .subtitle = with_thousands(r.body.elements.element_count()) + " " + plural_name(r.body.shape) +
+       .subtitle = with_thousands(r.body.elements.element_count()) + " " +
+                   deformation::plural_name(r.body.shape) +
                    formatted("   ·   %d iterations, %.2f s   ·   ", f.summary.iterations, f.seconds) +
                    gap_text(f) + formatted("   ·   min det F %.2g", after.smallest_det()) +
                    "   ·   lines: where handles end, rings: targets",
-       .states = {state("at rest", r.body.rest_positions(), rest, rest_markers(r.rig, r.body, f.time)),
+       .states = {state("at rest", r.body.rest_positions(), rest, rest_markers(r.handle_set, r.body, f.time)),
                   state("skinning: " + inverted_text(before), f.before, before, {}),
                   state("result: " + inverted_text(after), f.positions, after,
-                        target_markers(r.rig, r.body, f.time, f.positions))},
+                        target_markers(r.handle_set, r.body, f.time, f.positions))},
        .triangles = r.body.surface.mesh.triangles,
        .element = r.body.surface.element,
        .volumes = r.body.volumes(),
-       .lines = figure_lines(r.rig, r.body),
+       .lines = figure_lines(r.handle_set, r.body),
        .flat = r.body.dim == 2,
        .up = r.scene.up});
 }

@@ -1,14 +1,15 @@
 #include "report.hpp"
+#include "common/handle_miss_report.hpp"
 
-#include "common/handle_misses.hpp"
 #include "common/sequence_report.hpp"
 #include "common/threads.hpp"
-#include "stretch.hpp"
 
 #include <isostretch/core/isa.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/core/version.hpp>
+#include <isostretch/deformation/handle_misses.hpp>
+#include <isostretch/deformation/isotropic_stretch.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ Json rival_json(const std::string& name, const baselines::Result& r) {
           {"suspects", Json::array()}};
 }
 
-Json solve_json(const Body& body, const sdp_penalty::Summary& s) {
+Json solve_json(const SolidModel& body, const sdp_penalty::Summary& s) {
   Json suspects = Json::array();
   for (const int element : s.suspects) suspects.push_back(body.element_text(element));
   Json json{{"status", sdp_penalty::status_name(s.status)},
@@ -114,8 +115,8 @@ Json strain_json(const StrainField& strain) {
 }
 
 // Ten of them at most are named; all are counted.
-Json nearly_flat_json(const Body& body, const StrainField& strain) {
-  const std::vector<int> elements = nearly_flat_elements(strain);
+Json nearly_flat_json(const SolidModel& body, const StrainField& strain) {
+  const std::vector<int> elements = deformation::nearly_flat_elements(strain);
   Json named = Json::array();
   for (const int element : std::span(elements).first(std::min<std::size_t>(elements.size(), 10)))
     named.push_back(body.element_text(element));
@@ -126,7 +127,7 @@ double least(const std::vector<double>& values) {
   return *std::min_element(values.begin(), values.end());
 }
 
-Json mesh_json(const Body& body) {
+Json mesh_json(const SolidModel& body) {
   return {{"name", body.name},
           {"element", mesh::shape_name(body.shape)},
           {"nodes", body.nodes.rows()},
@@ -136,9 +137,9 @@ Json mesh_json(const Body& body) {
           {"fingerprint", body.fingerprint()}};
 }
 
-Json handles_json(const Rig& rig) {
+Json handles_json(const HandleSet& handle_set) {
   Json json = Json::array();
-  for (const Handle& handle : rig.handles())
+  for (const Handle& handle : handle_set.handles())
     json.push_back(
         {{"name", handle.name}, {"nodes", handle.nodes.size()}, {"kind", handle.soft ? "soft" : "hard"}});
   return json;
@@ -202,7 +203,8 @@ void add_frame(Result& result, const FrameResult& frame, const Shape& before, co
     json.update(strain_json(after.strain));
     json["not_psd"] = after.indefinite;
     json["min_eigenvalue"] = least(after.eigenvalues);
-    json["handles"] = misses_json(handle_misses(result.rig, frame.time, result.body.dim, frame.positions));
+    json["handles"] = misses_json(
+        deformation::handle_misses(result.handle_set, frame.time, result.body.dim, frame.positions));
     json["nearly_flat"] = nearly_flat_json(result.body, after.strain);
   } else {
     if (!frame.rival) {
@@ -250,8 +252,9 @@ std::string verdict(const Result& r) {
                                  ? "all frames are certified, no element is inverted"
                                  : "all frames are solved by " + r.scene.rival + ", no element is inverted";
     if (r.last.positions.size() == 0) return good;
-    const std::string miss =
-        largest_miss_text(handle_misses(r.rig, r.last.time, r.body.dim, r.last.positions), r.body.diagonal());
+    const std::string miss = deformation::largest_miss_text(
+        deformation::handle_misses(r.handle_set, r.last.time, r.body.dim, r.last.positions),
+        r.body.diagonal());
     return miss.empty() ? good : good + "; " + miss;
   }
   std::string text;
@@ -261,7 +264,7 @@ std::string verdict(const Result& r) {
 
 namespace {
 
-Json weights_json(const ElementRotations& rotations, double seconds) {
+Json weights_json(const deformation::ElementRotations& rotations, double seconds) {
   if (!rotations.weights()) return nullptr;
   Json handles = Json::array();
   for (const handles::WeightReport& report : rotations.weights()->reports)
@@ -298,7 +301,7 @@ Json summary_json(const Result& r, const PhaseSeconds& seconds) {
             {"solve", seconds.solve},
             {"write", seconds.write}}},
           {"mesh", mesh_json(r.body)},
-          {"handles", handles_json(r.rig)},
+          {"handles", handles_json(r.handle_set)},
           {"handle_weights", weights_json(r.rotations, seconds.weights)},
           {"blend", r.rotations.weights() ? Json(name_of(blend_names, r.scene.blend)) : Json()},
           {"method", r.scene.rival.empty() ? std::string(sdp_penalty::method_name(r.scene.solver.method))

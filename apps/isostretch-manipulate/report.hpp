@@ -1,9 +1,10 @@
 #pragma once
 
+#include "common/deformation_names.hpp"
+#include "frame.hpp"
+
 #include "common/exit_code.hpp"
 #include "common/output_folder.hpp"
-#include "common/strain.hpp"
-#include "frame.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -32,9 +33,9 @@ enum class Outcome { finished, stopped };
 // What came of it, all that the reports are made of.
 struct Result {
   const Scene& scene;
-  const Body& body;
-  const Rig& rig;
-  const ElementRotations& rotations;
+  const SolidModel& body;
+  const HandleSet& handle_set;
+  const deformation::ElementRotations& rotations;
   std::string name;  // of the scene file, or of the body
   Outcome outcome = Outcome::finished;
   std::string message = {};     // why it was stopped

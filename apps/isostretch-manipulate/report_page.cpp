@@ -1,9 +1,10 @@
-#include "common/handle_misses.hpp"
+#include "common/handle_miss_report.hpp"
 #include "common/html.hpp"
 #include "common/report_style.hpp"
 #include "report.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/deformation/handle_misses.hpp>
 
 namespace isostretch::app::manipulate {
 namespace {
@@ -32,7 +33,8 @@ std::string frame_table(const Json& frames) {
 
 // As the last frame that was made has them.
 std::string handles_section(const Result& r, const Json& summary) {
-  const Json misses = misses_json(handle_misses(r.rig, r.last.time, r.body.dim, r.last.positions));
+  const Json misses =
+      misses_json(deformation::handle_misses(r.handle_set, r.last.time, r.body.dim, r.last.positions));
   return html::block("h2", formatted("Handles, frame %d", r.last.frame)) +
          handle_table(summary.at("handles"), misses);
 }
@@ -43,7 +45,7 @@ std::string fact_table(const Result& r, const Json& summary) {
       {}, {{"method", summary.at("method")},
            {"alpha", number(r.scene.alpha, "%.6g")},
            {"element weights", name_of(weights_names, r.scene.weights)},
-           {"lengths", r.scene.units == Units::diagonal ? "shares of the diagonal" : "of the mesh"},
+           {"lengths", r.scene.units == LengthUnit::diagonal ? "shares of the diagonal" : "of the mesh"},
            {"incompressibility", number(r.scene.incompressibility, "%.6g")},
            {"margin", number(r.scene.margin, "%.6g")},
            {"factorizations in all", number(totals.at("linear_solves"), "%.0f")},

@@ -1,37 +1,31 @@
 #pragma once
 
-#include "common/choice_names.hpp"
 #include "common/frames.hpp"
-#include "common/handle_script.hpp"
 #include "common/output_folder.hpp"
 
-#include <isostretch/handles/rotation_blend.hpp>
-#include <isostretch/sdp_penalty/options.hpp>
+#include <isostretch/core/choice_names.hpp>
+#include <isostretch/core/text.hpp>
+#include <isostretch/deformation/handle_script.hpp>
+#include <isostretch/deformation/manipulation_options.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 
 namespace isostretch::app::manipulate {
 
-// Where the elements' ex-rotations come from.
-enum class Rotations {
-  biharmonic,  // those of the handles, blended by bounded biharmonic weights
-  none         // the identity everywhere
-};
+using deformation::ElementWeights;
+using deformation::LengthUnit;
+using deformation::Rotations;
+
 inline constexpr ChoiceNames<Rotations, 2> rotations_names{
     {{"biharmonic", Rotations::biharmonic}, {"none", Rotations::none}}};
-
-enum class Weights { volume, unit };
-inline constexpr ChoiceNames<Weights, 2> weights_names{
-    {{"volume", Weights::volume}, {"unit", Weights::unit}}};
-
-// What lengths are measured in by the term of the soft handles.
-enum class Units { diagonal, mesh };
-inline constexpr ChoiceNames<Units, 2> units_names{{{"diagonal", Units::diagonal}, {"mesh", Units::mesh}}};
+inline constexpr ChoiceNames<ElementWeights, 2> weights_names{
+    {{"volume", ElementWeights::volume}, {"unit", ElementWeights::unit}}};
+inline constexpr ChoiceNames<LengthUnit, 2> units_names{
+    {{"diagonal", LengthUnit::diagonal}, {"mesh", LengthUnit::mesh}}};
 
 inline constexpr ChoiceNames<handles::RotationBlend, 4> blend_names{
     {{"angle", handles::RotationBlend::angle},
@@ -56,20 +50,9 @@ struct PhotoSpec {
 };
 
 // All that results depend on, besides the body.
-struct Scene {
-  Json json;  // as it was read, with what the command line adds
-  HandleScript script = {};
-  double alpha = 1e4;
-  Weights weights = Weights::volume;
-  Units units = Units::diagonal;
-  double incompressibility = 0;  // kappa
-  double margin = 0;
-  double largest_stretch = std::numeric_limits<double>::infinity();
-  int relinearize = 0;  // rounds with the rotations of the round before, after the given ones
-  Rotations rotations = Rotations::biharmonic;
-  handles::RotationBlend blend = handles::RotationBlend::angle;
-  sdp_penalty::Options solver = {};
-  std::string rival = {};  // solver of `baselines` in its place; empty: none
+struct Scene : deformation::ManipulationOptions {
+  Json json;               // as it was read, with what the command line adds
+  std::string rival = {};  // solver of `baselines` in the place of the library's; empty: none
   FrameFormat format = FrameFormat::vtu;
   int up = -1;  // of pictures; -1: guessed
 };

@@ -110,10 +110,10 @@ std::optional<PhotoSpec> read_photo_spec(const Json& json, const std::filesystem
   return spec;
 }
 
-BodySpec read_body_spec(const Json& json, const std::filesystem::path& folder, int refine) {
+SolidSpec read_body_spec(const Json& json, const std::filesystem::path& folder, int refine) {
   const JsonValue scene(json);
   scene.only(scene_keys());
-  BodySpec spec;
+  SolidSpec spec;
   const JsonValue mesh = scene.at("mesh");
   if (mesh.has("photo_grid"))
     spec.generated = photo_grid(mesh.only({"photo_grid"}).at("photo_grid"), read_photo_spec(json, folder));
@@ -122,19 +122,20 @@ BodySpec read_body_spec(const Json& json, const std::filesystem::path& folder, i
   if (refine > 1) {
     if (!spec.generated)
       throw Error("--refine multiplies the cells of generated bodies, and the mesh is a file");
-    spec.generated = refined(*spec.generated, refine);
+    spec.generated = deformation::refined(*spec.generated, refine);
   }
   return spec;
 }
 
-void require_linear(const Body& body) {
+void require_linear(const SolidModel& body) {
   if (body.shape != mesh::Shape::tet && body.shape != mesh::Shape::triangle)
-    throw Error("mesh: only linear triangles and tets are manipulated, not " + plural_name(body.shape));
+    throw Error("mesh: only linear triangles and tets are manipulated, not " +
+                deformation::plural_name(body.shape));
 }
 
 Scene read_scene(const Json& json, int dim) {
   const JsonValue scene(json);
-  Scene result{json};
+  Scene result{{}, json};
   result.script = read_handle_script(scene, dim, Holding::soft, 1);
   if (const auto alpha = scene.find("alpha")) result.alpha = alpha->positive();
   if (const auto weights = scene.find("weights")) result.weights = weights->choice(weights_names);

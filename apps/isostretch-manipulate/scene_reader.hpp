@@ -1,6 +1,7 @@
 #pragma once
 
-#include "common/body.hpp"
+#include "common/deformation_names.hpp"
+
 #include "scene.hpp"
 
 #include <filesystem>
@@ -17,10 +18,10 @@ std::vector<std::string> scene_keys();
 // looked for in `folder`; cells of a generated body are multiplied by `refine`. All throw Error naming the
 // key by its path.
 std::optional<PhotoSpec> read_photo_spec(const Json& json, const std::filesystem::path& folder);
-BodySpec read_body_spec(const Json& json, const std::filesystem::path& folder, int refine);
+SolidSpec read_body_spec(const Json& json, const std::filesystem::path& folder, int refine);
 Scene read_scene(const Json& json, int dim);
 
 // Throws Error unless its elements are linear triangles or tets.
-void require_linear(const Body& body);
+void require_linear(const SolidModel& body);
 
 }  // namespace isostretch::app::manipulate

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "common/choice_names.hpp"
 #include "options.hpp"
+
+#include <isostretch/core/choice_names.hpp>
+#include <isostretch/core/text.hpp>
 
 namespace isostretch::app::parameterize {
 

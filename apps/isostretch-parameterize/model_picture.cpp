@@ -11,7 +11,7 @@ namespace {
 
 // Where the surface is cut, and where it ends.
 std::vector<std::array<int, 2>> outlines(const Domain& domain) {
-  std::vector<std::array<int, 2>> lines = figures::edges_of(domain.input.triangles).boundary;
+  std::vector<std::array<int, 2>> lines = mesh::edges_of(domain.input.triangles).boundary;
   for (const mesh::Edge& edge : domain.cut.seams) lines.push_back({edge.low, edge.high});
   return lines;
 }

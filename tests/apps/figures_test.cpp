@@ -1,6 +1,5 @@
 #include "common/figures/camera.hpp"
 #include "common/figures/checkerboard.hpp"
-#include "common/figures/edges.hpp"
 #include "common/figures/model_view.hpp"
 #include "common/figures/visibility.hpp"
 #include "common/html.hpp"
@@ -9,6 +8,7 @@
 #include <isostretch/core/base64.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/mesh/generators.hpp>
+#include <isostretch/surface/edges.hpp>
 
 #include <doctest/doctest.h>
 
@@ -144,8 +144,8 @@ TEST_CASE("a surface is seen with its checkerboard, flipped triangles in their c
 }
 
 TEST_CASE("edges are told apart") {
-  const Edges edges = edges_of(mesh::icosphere(0).triangles);
+  const mesh::Edges edges = mesh::edges_of(mesh::icosphere(0).triangles);
   CHECK(edges.inner.size() == 30);
   CHECK(edges.boundary.empty());
-  CHECK(edges_of(mesh::disc(1).triangles).boundary.size() == 6);
+  CHECK(mesh::edges_of(mesh::disc(1).triangles).boundary.size() == 6);
 }

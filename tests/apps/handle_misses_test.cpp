@@ -2,7 +2,7 @@
 #include "deform_app.hpp"
 #include "manipulate_app.hpp"
 
-#include "common/handle_misses.hpp"
+#include <isostretch/deformation/handle_misses.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #include "common/figures/layout_plot.hpp"
 
-#include "common/figures/edges.hpp"
+#include <isostretch/surface/edges.hpp>
 
 #include <algorithm>
 #include <array>
@@ -110,7 +110,7 @@ void draw_layout(Canvas& canvas, const Box& box, const LayoutData& data, const D
   const Fit fit(data, {box.x + 2, box.y + 2, box.width - 4, box.height - 4});
   canvas.image(rasterize(data, fit, box, scale), {box.x, box.y});
   if (data.unit_square) draw_unit_square(canvas, fit);
-  const Edges edges = edges_of(data.triangles);
+  const mesh::Edges edges = mesh::edges_of(data.triangles);
   if (data.triangles.rows() <= few_triangles)
     draw_edges(canvas, edges.inner, data, fit, {.color = {0.1, 0.1, 0.1}, .width = 0.5, .opacity = 0.35});
   draw_edges(canvas, edges.boundary, data, fit, {.color = {0.1, 0.1, 0.1}, .width = 1, .opacity = 0.9});

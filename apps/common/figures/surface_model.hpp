@@ -1,9 +1,9 @@
 #pragma once
 
 #include "common/figures/color_map.hpp"
-#include "common/figures/edges.hpp"
 
 #include <isostretch/mesh/types.hpp>
+#include <isostretch/surface/edges.hpp>
 
 #include <vector>
 

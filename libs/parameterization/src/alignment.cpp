@@ -2,9 +2,10 @@
 
 #include "placement.hpp"
 
+#include <isostretch/core/error.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <isostretch/core/error.hpp>
 #include <optional>
 #include <string>
 

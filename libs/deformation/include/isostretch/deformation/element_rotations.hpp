@@ -1,0 +1,43 @@
+#pragma once
+
+#include <isostretch/core/monitor.hpp>
+#include <isostretch/deformation/handle_set.hpp>
+#include <isostretch/deformation/manipulation_options.hpp>
+#include <isostretch/handles/bounded_weights.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace isostretch::deformation {
+
+// The ex-rotations of the elements, blended from those of the handles.
+class ElementRotations {
+ public:
+  // Computes the handles' weights, or takes them from the cache. Throws Error naming a handle that
+  // has no node left, and where the handles' axes differ and the blend needs one.
+  ElementRotations(const ManipulationOptions& options, const SolidModel& body, const HandleSet& handle_set,
+                   const std::filesystem::path& cache = {}, const Monitor& monitor = {});
+
+  // [element][dim * dim], row by row. Components without a handle stay as they are. Throws Error naming the
+  // element where the handles' rotations cancel each other.
+  std::vector<double> at(double time) const;
+
+  // None where nothing is blended.
+  const std::optional<handles::HandleWeights>& weights() const { return weights_; }
+  bool from_cache() const { return from_cache_; }
+  double seconds() const { return seconds_; }
+
+ private:
+  void make_weights(const std::filesystem::path& cache, const Monitor& monitor);
+
+  const SolidModel& body_;
+  const HandleSet& handle_set_;
+  handles::RotationBlend blend_;
+  std::vector<bool> loose_;  // elements
+  std::optional<handles::HandleWeights> weights_;
+  bool from_cache_ = false;
+  double seconds_ = 0;
+};
+
+}  // namespace isostretch::deformation

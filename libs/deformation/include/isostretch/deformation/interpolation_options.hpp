@@ -1,0 +1,37 @@
+#pragma once
+
+#include <isostretch/newton/options.hpp>
+
+namespace isostretch::deformation {
+
+/// Where the minimisation of a frame between two shapes starts from.
+enum class Continuation {
+  previous,     ///< the frame before
+  extrapolate,  ///< that, or of several continuations of the frames so far the one of least energy
+};
+
+/// Returns the options of newton that suit frames between two shapes.
+///
+/// Frames end as soon as a full step gains less than a millionth of the energy: what is left then is far below
+/// what can be seen, and to prove more takes a factorization that moves nothing. One or two factorizations a
+/// frame do not repay the time for nested dissection; and since starts are good nearly everywhere, the Hessian
+/// is filtered only where they are not, which takes fewer of them than other projections.
+inline newton::Options frame_solver() {
+  newton::Options options;
+  options.relative_energy_tolerance = 1e-6;
+  options.projection = newton::Projection::progressive;
+  options.solver.ordering = sparse::Ordering::amd;
+  return options;
+}
+
+/// How shapes between two are made.
+struct InterpolationOptions {
+  int frames = 10;  ///< after the first shape; the last is the second shape
+  Continuation guess = Continuation::extrapolate;
+  newton::Options newton = frame_solver();  ///< of a frame; its time limit is that of all frames together
+
+  /// Returns the time of a frame, from 0 to 1, both exact.
+  double time(int frame) const { return static_cast<double>(frame) / frames; }
+};
+
+}  // namespace isostretch::deformation

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <isostretch/deformation/handle_script.hpp>
+#include <isostretch/deformation/predictor.hpp>
+#include <isostretch/energies/any_energy.hpp>
+#include <isostretch/handles/selection.hpp>
+#include <isostretch/newton/options.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isostretch::deformation {
+
+/// Elements with an energy of their own.
+struct RegionSpec {
+  std::string path;  ///< for messages, such as "regions[0]"
+  std::string name;
+  std::optional<handles::Selection> select;  ///< elements all of whose nodes are in it
+  std::vector<int> elements;                 ///< otherwise these
+  energies::AnyEnergy energy;
+};
+
+/// How a body is deformed, frame by frame: what moves, and what it is made of.
+struct SequenceOptions {
+  energies::AnyEnergy energy;            ///< of what is in no region
+  std::vector<RegionSpec> regions = {};  ///< the first that has an element keeps it
+  HandleScript script = {};
+  InitialGuess guess = InitialGuess::biharmonic;
+  newton::Options newton = {};           ///< of a frame; its time_limit is that of all frames together
+};
+
+}  // namespace isostretch::deformation

@@ -1,0 +1,92 @@
+
+#include <isostretch/core/log.hpp>
+#include <isostretch/core/text.hpp>
+#include <isostretch/core/timer.hpp>
+#include <isostretch/deformation/interpolation.hpp>
+#include <isostretch/newton/solver.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace isostretch::deformation {
+
+namespace {
+
+// The limit of time is that of all frames together.
+newton::Options solver_options(const InterpolationOptions& options, const Monitor& monitor) {
+  newton::Options newton = options.newton;
+  newton.time_limit = 0;
+  newton.stop = monitor.stop;
+  return newton;
+}
+
+}  // namespace
+
+bool InterpolationFrame::complete() const {
+  return !solved || summary.converged() || summary.status == newton::Status::stopped_iterations;
+}
+
+Interpolation::Interpolation(const InterpolationOptions& options, const KeyShapes& poses,
+                             const energies::AnyEnergy& energy, const Monitor& monitor)
+    : options_(options),
+      monitor_{monitor.stop.with_time_limit(options.newton.time_limit), monitor.progress},
+      placement_(poses),
+      energy_(poses, energy, placement_.loose_nodes()),
+      solver_(energy_.objective(), solver_options(options, monitor_)),
+      starts_(options.guess, placement_),
+      before_(placement_.first()),
+      diagonal_(poses.first.diagonal()) {}
+
+InterpolationFrame Interpolation::next() {
+  InterpolationFrame frame = number_ == 0                 ? pose(placement_.first())
+                             : number_ == options_.frames ? pose(placement_.second_near(before_))
+                                                          : solved();
+  measure(frame);
+  ++number_;
+  return frame;
+}
+
+Vector Interpolation::placed(const InterpolationFrame& frame) const {
+  return placement_.placed(frame.time, frame.settled, placement_.turns(before_));
+}
+
+InterpolationFrame Interpolation::pose(Vector settled) {
+  InterpolationFrame frame;
+  frame.number = number_;
+  frame.time = options_.time(number_);
+  frame.solved = false;
+  frame.settled = std::move(settled);
+  return frame;
+}
+
+InterpolationFrame Interpolation::solved() {
+  const Timer timer;
+  InterpolationFrame frame;
+  frame.number = number_;
+  frame.time = options_.time(number_);
+  energy_.set_time(frame.time);
+  FrameStart start = starts_.start(frame.time, energy_);
+  frame.start = start.name;
+  frame.summary = minimize(start.positions);
+  frame.settled = placement_.settled(std::move(start.positions), before_);
+  starts_.add(frame.time, frame.settled);
+  frame.seconds = timer.seconds();
+  return frame;
+}
+
+newton::Summary Interpolation::minimize(Vector& positions) {
+  newton::Summary summary = solver_.solve(positions, [&](const newton::Iteration& row, const Vector&) {
+    monitor_.show(formatted("frame %d of %d  ", number_, options_.frames) + newton::progress_line(row));
+    return newton::CallbackAction::proceed;
+  });
+  log(LogLevel::debug, formatted("frame %d: ", number_) + summary.brief_report());
+  return summary;
+}
+
+void Interpolation::measure(InterpolationFrame& frame) {
+  frame.psi = energy_.parts(frame.settled);
+  frame.change = placement_.distance(frame.settled, before_) / diagonal_;
+  before_ = frame.settled;
+}
+
+}  // namespace isostretch::deformation
