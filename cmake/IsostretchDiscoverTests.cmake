@@ -1,7 +1,11 @@
-# A script that IsostretchTests.cmake runs: asks PROGRAM for its cases and writes OUTPUT, a CTest file with an entry
-# `PREFIX.<case>` of the given PROPERTIES for each.
+# A script that IsostretchTests.cmake runs: asks PROGRAM for its cases, with SUITE those of a suite alone, and writes OUTPUT, a
+# CTest file with an entry `PREFIX.<case>` of the given PROPERTIES for each.
 cmake_minimum_required(VERSION 3.25)
-execute_process(COMMAND ${PROGRAM} --list-test-cases --no-colors=true
+set(filter "")
+if(DEFINED SUITE)
+  set(filter "--test-suite=${SUITE}")
+endif()
+execute_process(COMMAND ${PROGRAM} --list-test-cases --no-colors=true ${filter}
   OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX REPLACE "\\[doctest\\][^\n]*\n|==+\n" "" listing "${listing}")
 
@@ -34,7 +38,7 @@ foreach(case IN LISTS cases)
   endforeach()
   string(APPEND text ")\n")
 endforeach()
-if(names STREQUAL "")
+if(names STREQUAL "" AND NOT DEFINED SUITE)
   message(FATAL_ERROR "${PROGRAM} has no test cases")
 endif()
 file(WRITE ${OUTPUT} "${text}")

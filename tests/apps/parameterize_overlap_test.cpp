@@ -1,4 +1,5 @@
 // Layouts that lie on themselves: found, said everywhere, and split away; and what the last line says.
+#include "conditional.hpp"
 #include "process.hpp"
 #include "scratch.hpp"
 
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <map>
 #include <numbers>
 #include <set>
@@ -22,6 +22,8 @@
 
 using namespace isostretch;
 using namespace isostretch::test;
+using isostretch::tests::outside_data;
+using isostretch::tests::outside_path;
 
 namespace {
 
@@ -244,7 +246,7 @@ TEST_CASE("a GLB has the layout as its texture coordinates") {
   CHECK(texture["extensions"]["KHR_texture_transform"]["scale"][0].get<double>() > 1);
 }
 
-TEST_CASE("closed models: tips are reached, and little is cut for it") {
+TEST_CASE("closed models: tips are reached, and little is cut for it" * outside_data({"meshes/surfaces"})) {
   struct Model {
     const char* name;
     double worst, longest;  // factor of a length; cut over the square root of the area
@@ -252,11 +254,7 @@ TEST_CASE("closed models: tips are reached, and little is cut for it") {
   // Cuts before were 5.43, 2.95 and 3.31 long.
   for (const Model& model : {Model{"spot.obj", 2.5, 1.6 * 5.43}, Model{"cow.obj", 3, 1.6 * 2.95},
                              Model{"fertility.off", 3, 1.6 * 3.31}}) {
-    const std::string path = std::string(ISOSTRETCH_SOURCE_DIR "/../shared/meshes/surfaces/") + model.name;
-    if (!std::filesystem::exists(path)) {
-      MESSAGE("skipped without " << path);
-      continue;
-    }
+    const std::string path = outside_path("meshes/surfaces/" + std::string(model.name));
     CAPTURE(path);
     const Scratch scratch;
     const Outcome run = parameterize(
