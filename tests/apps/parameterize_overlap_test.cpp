@@ -230,6 +230,7 @@ TEST_CASE("a GLB has the layout as its texture coordinates") {
   const std::vector<float> position = read(attributes["POSITION"], 3), uv = read(attributes["TEXCOORD_0"], 2);
   const mesh::SurfaceMesh result = mesh::read_obj(scratch.path("out/quad_uv.obj"));
   REQUIRE(uv.size() == 8);
+  int checked = 0;
   for (std::size_t v = 0; v < 4; ++v)
     for (Eigen::Index t = 0; t < 2; ++t)
       for (int c = 0; c < 3; ++c) {
@@ -237,10 +238,12 @@ TEST_CASE("a GLB has the layout as its texture coordinates") {
         if (p.x() != static_cast<double>(position[3 * v]) ||
             p.y() != static_cast<double>(position[3 * v + 1]))
           continue;
+        ++checked;
         const auto q = result.uv.row(result.uv_triangles(t, c));
         CHECK(static_cast<double>(uv[2 * v]) == doctest::Approx(q.x()).epsilon(1e-6));
         CHECK(1 - static_cast<double>(uv[2 * v + 1]) == doctest::Approx(q.y()).epsilon(1e-6));
       }
+  CHECK(checked == 6);
   for (const float coordinate : uv) CHECK((coordinate >= 0 && coordinate <= 1));
   const auto& texture = json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
   CHECK(texture["extensions"]["KHR_texture_transform"]["scale"][0].get<double>() > 1);
