@@ -3,6 +3,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 include(IsostretchWarnings)
 include(IsostretchKernels)
+include(IsostretchTests)
 
 set(ISOSTRETCH_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/isostretch)
 # Apps of a shared build find the libraries wherever both are moved together; libraries set their own below.
@@ -76,11 +77,7 @@ function(isostretch_add_library name)
       isostretch_test_support)
     isostretch_enable_warnings(${target}_tests)
     isostretch_compile_quickly(${target}_tests)
-    add_test(NAME ${name} COMMAND ${target}_tests)
-    # A program into which no test was linked must not pass.
-    # OpenMP threads that spin while they wait starve whatever runs beside them.
-    set_tests_properties(${name} PROPERTIES LABELS ${name} FAIL_REGULAR_EXPRESSION "test cases: +0 "
-      ENVIRONMENT OMP_WAIT_POLICY=passive)
+    isostretch_register_tests(${target}_tests NAME ${name})
   endif()
   if(ISOSTRETCH_BUILD_BENCHMARKS AND A_BENCHES)
     find_package(benchmark REQUIRED)

@@ -61,5 +61,6 @@ function(_isostretch_precompile_headers_of target)
     target_precompile_headers(${carrier} PRIVATE ${headers})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${carrier})
-  target_compile_options(${target} PRIVATE ${ISOSTRETCH_NO_FALSE_ALARMS})
+  # Preprocessed sources that name a precompiled header are what ccache needs to take files that use one from its cache.
+  target_compile_options(${target} PRIVATE ${ISOSTRETCH_NO_FALSE_ALARMS} $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()

@@ -13,9 +13,9 @@ using namespace isostretch::test;
 
 namespace {
 
-const std::vector<std::string> apps = {ISOSTRETCH_COMPARE,    ISOSTRETCH_DEFORM,
-                                       ISOSTRETCH_ENERGY,     ISOSTRETCH_INTERPOLATE,
-                                       ISOSTRETCH_MANIPULATE, ISOSTRETCH_PARAMETERIZE};
+const std::vector<std::string> apps = {program("compare"),    program("deform"),
+                                       program("energy"),     program("interpolate"),
+                                       program("manipulate"), program("parameterize")};
 
 std::string help_of(const std::string& app) {
   const Outcome outcome = run({app, "--help"});
@@ -86,10 +86,10 @@ TEST_SUITE("command lines") {
   }
 
   TEST_CASE("--log-level and --log-file say how a solver goes about it") {
-    const Outcome outcome = run({ISOSTRETCH_ENERGY, "arap", "--log-level", "loud"});
+    const Outcome outcome = run({program("energy"), "arap", "--log-level", "loud"});
     CHECK(outcome.code == 2);
     CHECK(outcome.err.find("'loud' is none of trace, debug, info, warning, error") != std::string::npos);
-    const Outcome unwritable = run({ISOSTRETCH_ENERGY, "arap", "--log-file", "/dev/null/log.txt"});
+    const Outcome unwritable = run({program("energy"), "arap", "--log-file", "/dev/null/log.txt"});
     CHECK(unwritable.code == 4);
     CHECK(unwritable.err.find("/dev/null/log.txt: cannot be written") != std::string::npos);
   }

@@ -12,7 +12,7 @@ namespace isostretch::test {
 
 // isostretch-compare with these arguments.
 inline Outcome compare(std::vector<std::string> arguments, const std::function<void(int)>& meanwhile = {}) {
-  arguments.insert(arguments.begin(), ISOSTRETCH_COMPARE);
+  arguments.insert(arguments.begin(), program("compare"));
   return run(arguments, meanwhile);
 }
 

@@ -284,7 +284,7 @@ TEST_CASE("compare: one run by itself, as the program calls itself") {
   CHECK(run.code == 5);
 }
 
-TEST_CASE("compare: Ctrl-C ends the run there is, writes the comparison, and the same command goes on") {
+TEST_CASE("compare: Ctrl-C during energies ends the run there is, and the same command goes on") {
   const Scratch scratch;
   // The second one takes its time and is stopped in the middle.
   Json large = face_problem(150);

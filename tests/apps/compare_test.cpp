@@ -169,7 +169,7 @@ TEST_CASE("compare: every solver in a process of its own, one optimum, a table, 
   CHECK(written() != before);
 }
 
-TEST_CASE("compare: Ctrl-C ends the run there is, writes the comparison, and the same command goes on") {
+TEST_CASE("compare: Ctrl-C during solvers ends the run there is, and the same command goes on") {
   const Scratch scratch;
   const std::vector<std::string> command{write_scene(scratch, swirl(180, 60)),
                                          "--compare",

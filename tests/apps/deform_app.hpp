@@ -12,7 +12,7 @@ namespace isostretch::test {
 
 // isostretch-deform with these arguments.
 inline Outcome deform(std::vector<std::string> arguments, const std::function<void(int)>& meanwhile = {}) {
-  arguments.insert(arguments.begin(), ISOSTRETCH_DEFORM);
+  arguments.insert(arguments.begin(), program("deform"));
   return run(arguments, meanwhile);
 }
 

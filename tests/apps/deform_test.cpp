@@ -1,4 +1,5 @@
 // The main job of isostretch-deform: frames, handles, regions, elements, restart.
+#include "conditional.hpp"
 #include "deform_app.hpp"
 
 #include <isostretch/mesh/generators.hpp>
@@ -17,6 +18,8 @@ using namespace isostretch;
 using namespace isostretch::test;
 using doctest::Approx;
 using Json = nlohmann::ordered_json;
+using isostretch::tests::outside_data;
+using isostretch::tests::outside_path;
 
 namespace {
 
@@ -428,17 +431,12 @@ TEST_CASE("deform: one thread and two write the same bytes") {
   check_same_frames(scratch, "one", "two", 2);
 }
 
-TEST_CASE("deform: models of others, where they are") {
-  const std::string folder = std::string(ISOSTRETCH_SOURCE_TREE) + "/../shared/meshes/tets/";
-  if (!std::filesystem::exists(folder + "octopus-low.mesh")) {
-    MESSAGE("octopus-low.mesh is not there: skipped");
-    return;
-  }
+TEST_CASE("deform: models of others" * outside_data({"meshes/tets/octopus-low.mesh"})) {
   const Scratch scratch;
   for (const char* energy : {"arap", "symmetric_dirichlet"}) {
-    const Outcome run =
-        deform({folder + "octopus-low.mesh", "-e", energy, "--handle", "slab:y,max,0.15", "--handle",
-                "nearest:0.53,-0.08,0.08;translate=0,0.2,0", "--frames", "2", "-o", scratch.path(energy)});
+    const Outcome run = deform({outside_path("meshes/tets/octopus-low.mesh"), "-e", energy, "--handle",
+                                "slab:y,max,0.15", "--handle", "nearest:0.53,-0.08,0.08;translate=0,0.2,0",
+                                "--frames", "2", "-o", scratch.path(energy)});
     CHECK_MESSAGE(run.code == 0, run.err);
   }
 }

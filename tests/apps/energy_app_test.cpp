@@ -19,7 +19,7 @@ namespace {
 const std::string neo_hookean = "mu/2*(I2-d) - mu*log(J) + lambda/2*log(J)^2";
 
 Outcome inspect(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), ISOSTRETCH_ENERGY);
+  arguments.insert(arguments.begin(), program("energy"));
   return run(arguments);
 }
 

@@ -15,7 +15,7 @@ namespace isostretch::test {
 // isostretch-interpolate with these arguments.
 inline Outcome interpolate(std::vector<std::string> arguments,
                            const std::function<void(int)>& meanwhile = {}) {
-  arguments.insert(arguments.begin(), ISOSTRETCH_INTERPOLATE);
+  arguments.insert(arguments.begin(), program("interpolate"));
   return run(arguments, meanwhile);
 }
 

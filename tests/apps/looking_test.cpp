@@ -3,6 +3,7 @@
 #include "deform_app.hpp"
 #include "interpolate_app.hpp"
 #include "manipulate_app.hpp"
+#include "paths.hpp"
 
 #include <doctest/doctest.h>
 
@@ -250,8 +251,8 @@ TEST_CASE("--list-scenes has every scene with what it shows") {
     CHECK_MESSAGE(line.size() <= 80, line);
     CHECK_MESSAGE(line.size() > 30, line);
     const std::string name = line.substr(0, line.find(' '));
-    CHECK(std::filesystem::exists(std::string(ISOSTRETCH_SOURCE_TREE) +
-                                  "/apps/isostretch-manipulate/scenes/" + name + ".json"));
+    CHECK(std::filesystem::exists(
+        isostretch::tests::source_path("apps/isostretch-manipulate/scenes/" + name + ".json")));
     CHECK_MESSAGE(manipulate({name, "--check"}).code == 0, name);
   }
   CHECK(count == 15);

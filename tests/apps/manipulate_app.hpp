@@ -13,7 +13,7 @@ namespace isostretch::test {
 // isostretch-manipulate with these arguments.
 inline Outcome manipulate(std::vector<std::string> arguments,
                           const std::function<void(int)>& meanwhile = {}) {
-  arguments.insert(arguments.begin(), ISOSTRETCH_MANIPULATE);
+  arguments.insert(arguments.begin(), program("manipulate"));
   return run(arguments, meanwhile);
 }
 

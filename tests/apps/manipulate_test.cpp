@@ -1,5 +1,6 @@
 // The main job of isostretch-manipulate: frames without inverted elements, certificates, photos, the cache.
 #include "manipulate_app.hpp"
+#include "paths.hpp"
 
 #include "common/figures/photo.hpp"
 
@@ -333,7 +334,7 @@ TEST_CASE("manipulate: the scenes that come with it are certified, the quick one
   const Scratch scratch;
   for (const char* name : {"arm", "yogurt180", "disc120", "bar_squash"}) {
     const std::string file =
-        std::string(ISOSTRETCH_SOURCE_TREE) + "/apps/isostretch-manipulate/scenes/" + name + ".json";
+        isostretch::tests::source_path("apps/isostretch-manipulate/scenes/" + std::string(name) + ".json");
     const Outcome run = manipulate({file, "-o", scratch.path(name), "--no-picture"});
     CHECK_MESSAGE(run.code == 0, name, ": ", run.err);
   }

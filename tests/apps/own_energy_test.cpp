@@ -50,16 +50,14 @@ TEST_SUITE("energies of one's own") {
   TEST_CASE("an energy of a plug-in does so too, and its parameters can be set") {
     const Scratch scratch;
     const Flattened built = flatten(scratch, {"--energy", "symmetric_dirichlet"});
-    const Flattened own =
-        flatten(scratch, {"--plugin", ISOSTRETCH_TEST_PLUGIN, "--energy", "my_symmetric_dirichlet"});
+    const Flattened own = flatten(scratch, {"--plugin", test_plugin(), "--energy", "my_symmetric_dirichlet"});
     CHECK(own.energy == doctest::Approx(built.energy).epsilon(1e-10));
     CHECK(own.iterations == built.iterations);
-    flatten(scratch, {"--plugin", ISOSTRETCH_TEST_PLUGIN, "--energy", "my_neo_hookean", "--param", "bulk=3"});
+    flatten(scratch, {"--plugin", test_plugin(), "--energy", "my_neo_hookean", "--param", "bulk=3"});
     const Flattened hencky = flatten(scratch, {"--energy", "hencky", "--param", "lambda=0"});
-    const Flattened function =
-        flatten(scratch, {"--plugin", ISOSTRETCH_TEST_PLUGIN, "--energy", "my_hencky"});
+    const Flattened function = flatten(scratch, {"--plugin", test_plugin(), "--energy", "my_hencky"});
     CHECK(function.energy == doctest::Approx(hencky.energy).epsilon(1e-10));
-    const Outcome listed = parameterize({"--plugin", ISOSTRETCH_TEST_PLUGIN, "--list-energies"});
+    const Outcome listed = parameterize({"--plugin", test_plugin(), "--list-energies"});
     CHECK(listed.out.find("my_neo_hookean\n    bulk=1  resistance") != std::string::npos);
   }
 
@@ -86,8 +84,8 @@ TEST_SUITE("energies of one's own") {
     };
     check(scratch.path("no.so"), "no.so cannot be loaded");
     check(scratch.write("text.so", "not a library\n"), "text.so cannot be loaded");
-    const Outcome twice = parameterize(
-        {"--plugin", ISOSTRETCH_TEST_PLUGIN, "--plugin", ISOSTRETCH_TEST_PLUGIN, "--list-energies"});
+    const Outcome twice =
+        parameterize({"--plugin", test_plugin(), "--plugin", test_plugin(), "--list-energies"});
     CHECK(twice.code == 2);
     CHECK(twice.err.find("there is an energy 'my_symmetric_dirichlet' already") != std::string::npos);
   }

@@ -1,4 +1,5 @@
 // Cutting, charts, packing and constraints on whole layouts, through the app.
+#include "conditional.hpp"
 #include "process.hpp"
 #include "scratch.hpp"
 
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 #include <random>
 #include <string>
@@ -23,6 +23,8 @@
 
 using namespace isostretch;
 using namespace isostretch::test;
+using isostretch::tests::outside_data;
+using isostretch::tests::outside_path;
 
 namespace {
 
@@ -265,16 +267,11 @@ TEST_CASE("aligned vertices lie on a line to the bit") {
   refuse({"--horizontal", "3,4", "--pin", "3:0,0", "--pin", "4:0.1,0.1"}, "pinned at different v");
 }
 
-TEST_CASE("order, scale and place of a model do not matter") {
+TEST_CASE("order, scale and place of a model do not matter" * outside_data({"meshes/surfaces"})) {
   const Scratch scratch;
   for (const char* name : {"spot.obj", "cow.obj", "fertility.off", "decimated-max.obj"}) {
-    const std::string path = std::string(ISOSTRETCH_SOURCE_DIR "/../shared/meshes/surfaces/") + name;
-    if (!std::filesystem::exists(path)) {
-      MESSAGE("skipped: no ", name);
-      continue;
-    }
     CAPTURE(name);
-    const mesh::SurfaceMesh model = mesh::read_surface(path);
+    const mesh::SurfaceMesh model = mesh::read_surface(outside_path("meshes/surfaces/" + std::string(name)));
     const double energy = flatten(scratch, model, {"--repair"}).summary["energy"].get<double>();
     const double extent =
         (model.vertices.colwise().maxCoeff() - model.vertices.colwise().minCoeff()).maxCoeff();

@@ -180,7 +180,7 @@ TEST_CASE("a full disk is exit code 4 and leaves nothing") {
   const std::string model = write_model(scratch, "face.obj", mesh::procedural_face(12));
   // A limit on the size of files makes writes fail as a full disk does.
   const Outcome full = run({"/usr/bin/env", "--ignore-signal=XFSZ", "prlimit", "--fsize=4096",
-                            ISOSTRETCH_PARAMETERIZE, model, "-o", scratch.path("out")});
+                            program("parameterize"), model, "-o", scratch.path("out")});
   CAPTURE(full.err);
   CHECK(full.code == 4);
   CHECK(full.err.find("out/") != std::string::npos);

@@ -1,4 +1,5 @@
 // Layouts that lie on themselves: found, said everywhere, and split away; and what the last line says.
+#include "conditional.hpp"
 #include "process.hpp"
 #include "scratch.hpp"
 
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <map>
 #include <numbers>
 #include <set>
@@ -22,6 +22,8 @@
 
 using namespace isostretch;
 using namespace isostretch::test;
+using isostretch::tests::outside_data;
+using isostretch::tests::outside_path;
 
 namespace {
 
@@ -228,6 +230,7 @@ TEST_CASE("a GLB has the layout as its texture coordinates") {
   const std::vector<float> position = read(attributes["POSITION"], 3), uv = read(attributes["TEXCOORD_0"], 2);
   const mesh::SurfaceMesh result = mesh::read_obj(scratch.path("out/quad_uv.obj"));
   REQUIRE(uv.size() == 8);
+  int checked = 0;
   for (std::size_t v = 0; v < 4; ++v)
     for (Eigen::Index t = 0; t < 2; ++t)
       for (int c = 0; c < 3; ++c) {
@@ -235,16 +238,18 @@ TEST_CASE("a GLB has the layout as its texture coordinates") {
         if (p.x() != static_cast<double>(position[3 * v]) ||
             p.y() != static_cast<double>(position[3 * v + 1]))
           continue;
+        ++checked;
         const auto q = result.uv.row(result.uv_triangles(t, c));
         CHECK(static_cast<double>(uv[2 * v]) == doctest::Approx(q.x()).epsilon(1e-6));
         CHECK(1 - static_cast<double>(uv[2 * v + 1]) == doctest::Approx(q.y()).epsilon(1e-6));
       }
+  CHECK(checked == 6);
   for (const float coordinate : uv) CHECK((coordinate >= 0 && coordinate <= 1));
   const auto& texture = json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
   CHECK(texture["extensions"]["KHR_texture_transform"]["scale"][0].get<double>() > 1);
 }
 
-TEST_CASE("closed models: tips are reached, and little is cut for it") {
+TEST_CASE("closed models: tips are reached, and little is cut for it" * outside_data({"meshes/surfaces"})) {
   struct Model {
     const char* name;
     double worst, longest;  // factor of a length; cut over the square root of the area
@@ -252,11 +257,7 @@ TEST_CASE("closed models: tips are reached, and little is cut for it") {
   // Cuts before were 5.43, 2.95 and 3.31 long.
   for (const Model& model : {Model{"spot.obj", 2.5, 1.6 * 5.43}, Model{"cow.obj", 3, 1.6 * 2.95},
                              Model{"fertility.off", 3, 1.6 * 3.31}}) {
-    const std::string path = std::string(ISOSTRETCH_SOURCE_DIR "/../shared/meshes/surfaces/") + model.name;
-    if (!std::filesystem::exists(path)) {
-      MESSAGE("skipped without " << path);
-      continue;
-    }
+    const std::string path = outside_path("meshes/surfaces/" + std::string(model.name));
     CAPTURE(path);
     const Scratch scratch;
     const Outcome run = parameterize(

@@ -1,3 +1,4 @@
+#include "conditional.hpp"
 #include "process.hpp"
 #include "scratch.hpp"
 
@@ -11,12 +12,13 @@
 #include <Eigen/LU>
 
 #include <cmath>
-#include <filesystem>
 #include <string>
 
 using namespace isostretch;
 using namespace isostretch::test;
 using doctest::Approx;
+using isostretch::tests::outside_data;
+using isostretch::tests::outside_path;
 
 namespace {
 
@@ -226,12 +228,8 @@ TEST_CASE("parameters reach the energy") {
   CHECK(half["energy"].get<double>() == Approx(0.5 * one["energy"].get<double>()).epsilon(1e-9));
 }
 
-TEST_CASE("lilium_6k of the shared meshes converges as published") {
-  const std::string model = ISOSTRETCH_SOURCE_DIR "/../shared/meshes/disks/lilium_6k.obj";
-  if (!std::filesystem::exists(model)) {
-    MESSAGE("skipped: no " << model);
-    return;
-  }
+TEST_CASE("a published disk converges as published" * outside_data({"meshes/disks/lilium_6k.obj"})) {
+  const std::string model = outside_path("meshes/disks/lilium_6k.obj");
   const Scratch scratch;
   const Outcome run = parameterize({model, "-o", scratch.path("out"), "--grad-tol", "1e-4"});
   CHECK_MESSAGE(run.code == 0, run.err);

@@ -37,7 +37,7 @@ Outcome run(const std::vector<std::string>& command, const std::function<void(in
 }
 
 Outcome parameterize(std::vector<std::string> arguments, const std::function<void(int)>& meanwhile) {
-  arguments.insert(arguments.begin(), ISOSTRETCH_PARAMETERIZE);
+  arguments.insert(arguments.begin(), program("parameterize"));
   return run(arguments, meanwhile);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "programs.hpp"
+
 #include <functional>
 #include <string>
 #include <vector>

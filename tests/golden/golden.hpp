@@ -1,7 +1,9 @@
 #pragma once
 
 // Reader and acceptance rule of the golden data; see README.md here. Test code: needs nlohmann-json, and
-// ISOSTRETCH_SOURCE_DIR from isostretch_test_support.
+// links isostretch_test_support.
+
+#include "paths.hpp"
 
 #include <isostretch/core/error.hpp>
 
@@ -104,8 +106,7 @@ inline Record record(const std::string& energy, const nlohmann::json& given, con
 namespace detail {
 
 inline void append(const std::string& set, int dim, std::vector<Case>& cases) {
-  const std::string path =
-      std::string(ISOSTRETCH_SOURCE_DIR) + "/tests/golden/" + set + "_" + std::to_string(dim) + "d.json";
+  const std::string path = tests::source_path("tests/golden/" + set + "_" + std::to_string(dim) + "d.json");
   std::ifstream file(path);
   const auto data = nlohmann::json::parse(file, nullptr, false);
   if (data.is_discarded()) throw Error("cannot read golden data " + path);

@@ -1,6 +1,7 @@
 // mesh::find_overlap and what isostretch-parameterize writes, against constructions in exact numbers by CGAL.
-#include "../apps/process.hpp"
-#include "../apps/scratch.hpp"
+#include "conditional.hpp"
+#include "process.hpp"
+#include "scratch.hpp"
 
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/mesh_io/io.hpp>
@@ -26,6 +27,8 @@
 
 using namespace isostretch;
 using namespace isostretch::test;
+using isostretch::tests::outside_data;
+using isostretch::tests::outside_path;
 
 namespace {
 
@@ -119,16 +122,6 @@ void compare(const mesh::Points2& uv, const mesh::Triangles& triangles) {
   CHECK(overlap.covered_area == doctest::Approx(area_of_union(all)).epsilon(1e-12));
 }
 
-std::string shared(const std::string& name) {
-  return std::string(ISOSTRETCH_SOURCE_DIR) + "/../shared/" + name;
-}
-
-bool available(const std::string& name) {
-  if (std::filesystem::exists(shared(name))) return true;
-  MESSAGE("skipped: ../shared/" << name << " is not there");
-  return false;
-}
-
 mesh::SurfaceMesh flatten(const std::string& model, const std::vector<std::string>& options) {
   const Scratch scratch;
   std::vector<std::string> command = {model, "-o", scratch.path("out"), "--no-picture", "--quiet"};
@@ -185,10 +178,9 @@ TEST_CASE("almost degenerate contacts: corners moved by a few units in the last 
   }
 }
 
-TEST_CASE("layouts of given models that overlap, before they are split") {
+TEST_CASE("layouts of given models that overlap, before they are split" * outside_data({"meshes/disks"})) {
   for (const char* name : {"meshes/disks/bunnycut_19k.obj", "meshes/disks/camelb_up1_14k.obj"}) {
-    if (!available(name)) continue;
-    const mesh::SurfaceMesh result = flatten(shared(name), {"--overlap", "allow"});
+    const mesh::SurfaceMesh result = flatten(outside_path(name), {"--overlap", "allow"});
     const Exact expected = exact(result.uv, result.uv_triangles);
     CHECK(!expected.pairs.empty());
     CHECK(mesh::overlapping_pairs(result.uv, result.uv_triangles) == expected.pairs);
@@ -197,7 +189,7 @@ TEST_CASE("layouts of given models that overlap, before they are split") {
   }
 }
 
-TEST_CASE("by default nothing overlaps") {
+TEST_CASE("by default nothing overlaps" * outside_data({"meshes/disks", "meshes/surfaces"})) {
   std::vector<std::pair<std::string, std::vector<std::string>>> runs;
   for (const char* name :
        {"armadillocut_62k", "bunnycut_19k", "camelb_up1_14k", "camelhead_23k", "face_52k", "lilium_6k"})
@@ -206,9 +198,8 @@ TEST_CASE("by default nothing overlaps") {
     runs.push_back({"meshes/surfaces/" + std::string(name), {"--repair", "--pack", "square"}});
   runs.push_back({"meshes/surfaces/spot.obj", {"--seams", "ignore", "--max-distortion", "1.5"}});
   for (const auto& [name, options] : runs) {
-    if (!available(name)) continue;
     CAPTURE(name);
-    const mesh::SurfaceMesh result = flatten(shared(name), options);
+    const mesh::SurfaceMesh result = flatten(outside_path(name), options);
     CHECK(exact(result.uv, result.uv_triangles).pairs.empty());
   }
 }

@@ -1,6 +1,9 @@
 #pragma once
 
-// The reference instances of the inversion-free problem: JSON files that lie beside the sources, or do not.
+// The reference instances of the inversion-free problem: three that are in the repository, seven in the
+// outside data.
+#include "conditional.hpp"
+
 #include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/sdp_penalty/problem.hpp>
 
@@ -70,25 +73,35 @@ inline Vector rest_of(const nlohmann::json& j) {
   return rest;
 }
 
-// By name: three that are in the repository, and the others where the data lies beside the sources.
-inline std::vector<Reference> references() {
+// By name, those of a folder that `known` does not have.
+inline std::vector<Reference> references_in(const std::string& folder,
+                                            const std::vector<Reference>& known = {}) {
   std::vector<Reference> result;
-  const std::string root = ISOSTRETCH_SOURCE_DIR;
-  for (const std::filesystem::path folder : {root + "/tests/golden/sdp", root + "/../shared/sdp"}) {
-    if (!std::filesystem::exists(folder)) continue;
-    for (const auto& file : std::filesystem::directory_iterator(folder)) {
-      if (file.path().extension() != ".json") continue;
-      nlohmann::json json = nlohmann::json::parse(std::ifstream(file.path()));
-      std::string name = json["name"];
-      if (std::any_of(result.begin(), result.end(), [&](const Reference& r) { return r.name == name; }))
-        continue;
-      sdp_penalty::Problem problem = problem_of(json);
-      Vector rest = rest_of(json);
-      result.push_back({std::move(name), std::move(json), std::move(problem), std::move(rest)});
-    }
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    if (file.path().extension() != ".json") continue;
+    nlohmann::json json = nlohmann::json::parse(std::ifstream(file.path()));
+    std::string name = json["name"];
+    if (std::any_of(known.begin(), known.end(), [&](const Reference& r) { return r.name == name; })) continue;
+    sdp_penalty::Problem problem = problem_of(json);
+    Vector rest = rest_of(json);
+    result.push_back({std::move(name), std::move(json), std::move(problem), std::move(rest)});
   }
   std::sort(result.begin(), result.end(),
             [](const Reference& a, const Reference& b) { return a.name < b.name; });
+  return result;
+}
+
+// Those of the repository, by name.
+inline std::vector<Reference> references() {
+  std::vector<Reference> result = references_in(source_path("tests/golden/sdp"));
+  REQUIRE(result.size() == 3);
+  return result;
+}
+
+// Those of the outside data, by name: for cases decorated with outside_data({"sdp"}).
+inline std::vector<Reference> outside_references() {
+  std::vector<Reference> result = references_in(outside_path("sdp"), references());
+  REQUIRE(result.size() == 7);
   return result;
 }
 

@@ -22,8 +22,10 @@ void check_same_optimum(const tests::Started& started, const MethodOptions& opti
   Vector reference = started.start;
   const newton::Summary best = baselines::minimize("isostretch", started.problem, reference, options);
   REQUIRE(best.converged());
+  int checked = 0;
   for (const baselines::MethodInfo& method : baselines::methods()) {
     if (!applies(method, started.problem)) continue;
+    ++checked;
     CAPTURE(method.name);
     Vector x = started.start;
     const newton::Summary summary = baselines::minimize(method.name, started.problem, x, options);
@@ -32,6 +34,7 @@ void check_same_optimum(const tests::Started& started, const MethodOptions& opti
     CHECK(summary.energy == doctest::Approx(best.energy).epsilon(tolerance));
     CHECK(summary.trace.front().energy == best.trace.front().energy);
   }
+  CHECK(checked > 5);
 }
 
 }  // namespace
@@ -89,8 +92,10 @@ TEST_SUITE("distortion") {
 
   TEST_CASE("limits end every method, and the trace says how far it came") {
     const auto started = tests::flattening(energies::make_energy("symmetric_dirichlet"));
+    int checked = 0;
     for (const auto& method : baselines::methods()) {
       if (!applies(method, started.problem)) continue;
+      ++checked;
       CAPTURE(method.name);
       MethodOptions options;
       options.gradient_tolerance = 0;
@@ -110,5 +115,6 @@ TEST_SUITE("distortion") {
       CHECK(stopped.status == newton::Status::stopped_by_callback);
       CHECK(stopped.iterations == 1);
     }
+    CHECK(checked > 5);
   }
 }

@@ -28,15 +28,13 @@ inline double optimum_of(const std::string& name) {
   return reference_named(name).json["sdp"]["E_upper"];
 }
 
-// Says so where it is not.
-inline bool available(std::string_view name) {
+// Decorates a case that runs these solvers, of which programs and libraries need not be installed.
+inline RunsUnless needs_solvers(const std::vector<std::string>& names) {
+  std::string missing;
   for (const auto& info : baselines::solvers())
-    if (info.name == name) {
-      if (!info.available()) MESSAGE(name, " left out: ", info.needs);
-      return info.available();
-    }
-  FAIL("there is no solver ", name);
-  return false;
+    if (std::find(names.begin(), names.end(), info.name) != names.end() && !info.available())
+      missing += (missing.empty() ? "" : ", ") + std::string(info.name) + " needs " + std::string(info.needs);
+  return RunsUnless(missing);
 }
 
 // The callback stops a run at its n-th iterate, which is the result, and what it throws is the run's message.

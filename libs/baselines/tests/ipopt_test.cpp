@@ -1,20 +1,21 @@
 #include "general_instances.hpp"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace {
 
 using namespace isostretch;
 using baselines::Result;
 using baselines::Status;
-using tests::available;
 using tests::instance_named;
 
-const std::string all_solvers[] = {"ipopt", "ipopt_feasible", "ipopt_cone"};
+const std::vector<std::string> all_solvers = {"ipopt", "ipopt_feasible", "ipopt_cone"};
 
-TEST_CASE("Ipopt finds the reference optima, with its iterates as a trace") {
+TEST_CASE("Ipopt finds the reference optima, with its iterates as a trace" *
+          tests::needs_solvers(all_solvers)) {
   for (const std::string& name : all_solvers) {
-    if (!available(name)) continue;
     for (const std::string instance : {"yogurt90_N6_r0.15", "bar3d_squash_8x2x2"}) {
       if (name == "ipopt_cone" && instance[0] == 'b') continue;
       CAPTURE(name);
@@ -32,8 +33,8 @@ TEST_CASE("Ipopt finds the reference optima, with its iterates as a trace") {
   }
 }
 
-TEST_CASE("The search for a feasible start begins outside and comes inside, and its time is modelling") {
-  if (!available("ipopt_feasible")) return;
+TEST_CASE("The search for a feasible start begins outside and comes inside, and its time is modelling" *
+          tests::needs_solvers({"ipopt_feasible"})) {
   const Result result = baselines::solve("ipopt_feasible", instance_named("yogurt90_N6_r0.15"));
   CHECK(std::any_of(result.trace.begin() + 1, result.trace.end(),
                     [](const baselines::Point& point) { return point.measures.min_eigenvalue > 0.01; }));
@@ -41,12 +42,12 @@ TEST_CASE("The search for a feasible start begins outside and comes inside, and 
   CHECK(result.seconds.modelling > 0);
 }
 
-TEST_CASE("Ipopt knows hard targets, weights, incompressibility and the margin") {
+TEST_CASE("Ipopt knows hard targets, weights, incompressibility and the margin" *
+          tests::needs_solvers(all_solvers)) {
   const baselines::Instance instance = tests::rich_instance();
   const Result ours = baselines::solve("interior_point", instance);
   REQUIRE(ours.status == Status::converged);
   for (const std::string& name : all_solvers) {
-    if (!available(name)) continue;
     CAPTURE(name);
     const Result result = baselines::solve(name, instance);
     CHECK(result.status == Status::converged);
@@ -58,17 +59,16 @@ TEST_CASE("Ipopt knows hard targets, weights, incompressibility and the margin")
   }
 }
 
-TEST_CASE("Cones of three rows are not second-order cones") {
-  if (!available("ipopt_cone")) return;
+TEST_CASE("Cones of three rows are not second-order cones" * tests::needs_solvers({"ipopt_cone"})) {
   const Result result = baselines::solve("ipopt_cone", instance_named("bar3d_squash_8x2x2"));
   CHECK(result.status == Status::unsuited);
   CHECK_FALSE(result.has_positions());
 }
 
-TEST_CASE("Ipopt ends at its limits and where the callback says so, with the positions so far") {
+TEST_CASE("Ipopt ends at its limits and where the callback says so, with the positions so far" *
+          tests::needs_solvers(all_solvers)) {
   const baselines::Instance instance = instance_named("yogurt90_N6_r0.15");
   for (const std::string& name : all_solvers) {
-    if (!available(name)) continue;
     CAPTURE(name);
     baselines::Options options;
     options.limits.iterations = 3;
@@ -81,9 +81,8 @@ TEST_CASE("Ipopt ends at its limits and where the callback says so, with the pos
   }
 }
 
-TEST_CASE("Ipopt does not claim to have solved what cannot be solved") {
+TEST_CASE("Ipopt does not claim to have solved what cannot be solved" * tests::needs_solvers(all_solvers)) {
   for (const std::string& name : all_solvers) {
-    if (!available(name)) continue;
     CAPTURE(name);
     const Result result = baselines::solve(name, tests::impossible_instance());
     CAPTURE(result.message);

@@ -1,16 +1,17 @@
 #include "general_instances.hpp"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace {
 
 using namespace isostretch;
 using baselines::Result;
 using baselines::Status;
-using tests::available;
 using tests::instance_named;
 
-const std::string all_solvers[] = {"nlopt_mma", "nlopt_ccsaq", "nlopt_slsqp", "nlopt_auglag"};
+const std::vector<std::string> all_solvers = {"nlopt_mma", "nlopt_ccsaq", "nlopt_slsqp", "nlopt_auglag"};
 
 // As measured, with room. What they say of how they ended is another matter: AUGLAG fails here after it has
 // come so far.
@@ -28,25 +29,24 @@ void check_optimum(const std::string& name, const baselines::Instance& instance,
       CHECK(result.x[target.node * 2 + r] == target.position[static_cast<std::size_t>(r)]);
 }
 
-TEST_CASE("Algorithms of NLopt come near the optimum of the smallest reference instance") {
+TEST_CASE("Algorithms of NLopt come near the optimum of the smallest reference instance" *
+          tests::needs_solvers(all_solvers)) {
   for (const std::string& name : all_solvers)
-    if (available(name))
-      check_optimum(name, instance_named("yogurt90_N6_r0.15"), tests::optimum_of("yogurt90_N6_r0.15"));
+    check_optimum(name, instance_named("yogurt90_N6_r0.15"), tests::optimum_of("yogurt90_N6_r0.15"));
 }
 
-TEST_CASE("NLopt keeps hard targets") {
+TEST_CASE("NLopt keeps hard targets" * tests::needs_solvers(all_solvers)) {
   baselines::Instance instance = instance_named("yogurt90_N6_r0.15");
   instance.problem.targets[0].hard = true;
   const Result ours = baselines::solve("interior_point", instance);
   REQUIRE(ours.status == Status::converged);
   for (const std::string name : {"nlopt_mma", "nlopt_ccsaq"})
-    if (available(name)) check_optimum(name, instance, ours.measures.energy);
+    check_optimum(name, instance, ours.measures.energy);
 }
 
-TEST_CASE("NLopt ends at its limits and where the callback says so") {
+TEST_CASE("NLopt ends at its limits and where the callback says so" * tests::needs_solvers(all_solvers)) {
   const baselines::Instance instance = instance_named("yogurt90_N6_r0.15");
   for (const std::string& name : all_solvers) {
-    if (!available(name)) continue;
     CAPTURE(name);
     baselines::Options options;
     options.limits.iterations = 3;
@@ -57,7 +57,7 @@ TEST_CASE("NLopt ends at its limits and where the callback says so") {
   }
 }
 
-TEST_CASE("NLopt's algorithms say what is too large for them") {
+TEST_CASE("NLopt's algorithms say what is too large for them" * tests::needs_solvers(all_solvers)) {
   // Many squares beside one another.
   baselines::Instance instance;
   const baselines::Instance square = tests::impossible_instance();
@@ -81,7 +81,6 @@ TEST_CASE("NLopt's algorithms say what is too large for them") {
     }
   }
   for (const std::string& name : all_solvers) {
-    if (!available(name)) continue;
     CAPTURE(name);
     const Result result = baselines::solve(name, instance);
     CHECK(result.status == Status::unsuited);

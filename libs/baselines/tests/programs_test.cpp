@@ -7,14 +7,15 @@
 
 #include <chrono>
 #include <cmath>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace {
 
 using namespace isostretch;
 using baselines::Result;
 using baselines::Status;
-using tests::available;
 using tests::instance_named;
 
 // Runs in a folder of its own, and looks whether anything stayed there.
@@ -26,16 +27,15 @@ Result run(std::string_view name, const baselines::Instance& instance, baselines
   return result;
 }
 
-const std::string all_programs[] = {"csdp", "sdpa", "dsdp"};
+const std::vector<std::string> all_programs = {"csdp", "sdpa", "dsdp"};
 
 // What each reached where it was measured, times three.
 double accuracy_of(const std::string& name) {
   return name == "csdp" ? 1e-6 : name == "sdpa" ? 5e-7 : 2e-8;
 }
 
-TEST_CASE("Programs find the reference optima") {
+TEST_CASE("Programs find the reference optima" * tests::needs_solvers(all_programs)) {
   for (const std::string& name : all_programs) {
-    if (!available(name)) continue;
     for (const std::string instance : {"yogurt90_N6_r0.15", "bar3d_squash_8x2x2"}) {
       CAPTURE(name);
       CAPTURE(instance);
@@ -56,14 +56,14 @@ TEST_CASE("Programs find the reference optima") {
   }
 }
 
-TEST_CASE("Programs know hard targets, weights, incompressibility, the margin and bounds on stretch") {
+TEST_CASE("Programs know hard targets, weights, incompressibility, the margin and bounds on stretch" *
+          tests::needs_solvers(all_programs)) {
   baselines::Instance instance = tests::rich_instance();
   const sdp_penalty::Problem& problem = instance.problem;
   instance.problem.largest_stretch = 1.5;
   const Result ours = baselines::solve("interior_point", instance);
   REQUIRE(ours.status == Status::converged);
   for (const std::string& name : all_programs) {
-    if (!available(name)) continue;
     CAPTURE(name);
     const Result result = run(name, instance);
     CHECK(result.status == Status::converged);
@@ -74,9 +74,9 @@ TEST_CASE("Programs know hard targets, weights, incompressibility, the margin an
   }
 }
 
-TEST_CASE("The tolerance and the number of iterations reach the programs") {
+TEST_CASE("The tolerance and the number of iterations reach the programs" *
+          tests::needs_solvers(all_programs)) {
   for (const std::string& name : all_programs) {
-    if (!available(name)) continue;
     CAPTURE(name);
     const baselines::Instance instance = instance_named("bar3d_squash_8x2x2");
     baselines::Options options;
@@ -93,9 +93,9 @@ TEST_CASE("The tolerance and the number of iterations reach the programs") {
   }
 }
 
-TEST_CASE("Programs claim that an impossible problem is infeasible, and leave no optimum") {
+TEST_CASE("Programs claim that an impossible problem is infeasible, and leave no optimum" *
+          tests::needs_solvers(all_programs)) {
   for (const std::string& name : all_programs) {
-    if (!available(name)) continue;
     CAPTURE(name);
     CHECK(run(name, tests::impossible_instance()).status == Status::claims_infeasible);
   }
@@ -187,8 +187,7 @@ TEST_CASE("Whatever a program does, there is a status, and nothing stays behind"
   }
 }
 
-TEST_CASE("No place for files is a failure with the place") {
-  if (!available("csdp")) return;
+TEST_CASE("No place for files is a failure with the place" * tests::needs_solvers({"csdp"})) {
   baselines::Options options;
   options.temporary_folder = "/nonexistent";
   const Result result = baselines::solve("csdp", instance_named("yogurt90_N6_r0.15"), options);
@@ -198,9 +197,9 @@ TEST_CASE("No place for files is a failure with the place") {
 
 }  // namespace
 
-TEST_CASE("Programs solve instances whose optimum or coordinates are far beyond their own bounds") {
+TEST_CASE("Programs solve instances whose optimum or coordinates are far beyond their own bounds" *
+          tests::needs_solvers(all_programs)) {
   for (const std::string& name : all_programs) {
-    if (!available(name)) continue;
     for (const std::string instance_name : {"yogurt90_N6_r0.15", "bar3d_squash_8x2x2"}) {
       CAPTURE(name);
       CAPTURE(instance_name);

@@ -105,8 +105,10 @@ double least_eigenvalue(const std::vector<Eigen::MatrixXd>& blocks) {
 }
 
 TEST_CASE("The file's objective and blocks are the problem's energy and constraints") {
+  int checked = 0;
   for (const tests::Reference& reference : tests::references()) {
     if (reference.problem.element_count() > 200) continue;
+    ++checked;
     CAPTURE(reference.name);
     const sdp_penalty::Problem problem = rich_problem(reference);
     const baselines::SemidefiniteProgram program(problem);
@@ -127,6 +129,7 @@ TEST_CASE("The file's objective and blocks are the problem's energy and constrai
     CHECK(std::abs(least_eigenvalue(file.blocks(v)) - expected) <= 1e-12);
     CHECK((program.positions(v) - x).lpNorm<Eigen::Infinity>() == 0);
   }
+  CHECK(checked == 2);
 }
 
 TEST_CASE("A bound on stretch is a block that is singular where the largest singular value meets it") {

@@ -25,9 +25,12 @@ TEST_CASE("Solvers have names of their own, and an unknown one is refused with t
                        doctest::Contains("there is no solver 'mosek', there are: interior_point"), Error);
 }
 
-TEST_CASE("Own methods find the reference optima, with a trace, a bound and every phase's seconds") {
-  for (const tests::Reference& reference : tests::references()) {
+// Returns how many instances were small enough.
+int check_own_methods(const std::vector<tests::Reference>& references) {
+  int checked = 0;
+  for (const tests::Reference& reference : references) {
     if (reference.problem.element_count() > 1000) continue;
+    ++checked;
     CAPTURE(reference.name);
     const double optimum = reference.json["sdp"]["E_upper"];
     for (const char* name : {"interior_point", "penalty", "augmented_lagrangian"}) {
@@ -45,6 +48,15 @@ TEST_CASE("Own methods find the reference optima, with a trace, a bound and ever
       CHECK(result.seconds.solving > 0);
     }
   }
+  return checked;
+}
+
+TEST_CASE("Own methods find the reference optima, with a trace, a bound and every phase's seconds") {
+  CHECK(check_own_methods(tests::references()) == 3);
+}
+
+TEST_CASE("Own methods find the outside optima" * tests::outside_data({"sdp"})) {
+  CHECK(check_own_methods(tests::outside_references()) == 5);
 }
 
 TEST_CASE("Limits and the callback end a run with statuses of their own") {

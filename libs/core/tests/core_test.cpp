@@ -7,6 +7,8 @@
 
 #include <doctest/doctest.h>
 
+#include <unistd.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -53,7 +55,8 @@ TEST_CASE("arena: aligned blocks, reuse after reset, refusal beyond its capacity
 }
 
 TEST_CASE("atomic file: complete under its name after commit, nothing without it") {
-  const fs::path folder = fs::temp_directory_path() / "isostretch_atomic_test";
+  const fs::path folder =
+      fs::temp_directory_path() / ("isostretch_atomic_test_" + std::to_string(::getpid()));
   fs::remove_all(folder);
   fs::create_directories(folder);
   const std::string path = (folder / "out.txt").string();

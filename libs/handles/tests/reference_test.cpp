@@ -1,4 +1,6 @@
 // Weights and rotations of the reference instances of the inversion-free problem.
+#include "conditional.hpp"
+
 #include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/handles/bounded_weights.hpp>
 #include <isostretch/handles/rotation_blend.hpp>
@@ -17,6 +19,8 @@
 
 using namespace isostretch;
 using namespace isostretch::handles;
+using isostretch::tests::outside_data;
+using isostretch::tests::outside_path;
 using nlohmann::json;
 
 namespace {
@@ -67,13 +71,8 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 template <class Check>
 void for_each_instance(const Check& check) {
-  const std::filesystem::path folder = std::string(ISOSTRETCH_SOURCE_DIR) + "/../shared/sdp";
-  if (!std::filesystem::exists(folder)) {
-    MESSAGE("skipped without the reference instances");
-    return;
-  }
   int seen = 0;
-  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+  for (const auto& file : std::filesystem::directory_iterator(outside_path("sdp"))) {
     if (file.path().extension() != ".json") continue;
     ++seen;
     const json j = json::parse(std::ifstream(file.path()));
@@ -86,7 +85,7 @@ void for_each_instance(const Check& check) {
 
 }  // namespace
 
-TEST_CASE("weights of the reference instances") {
+TEST_CASE("weights of the reference instances" * outside_data({"sdp"})) {
   for_each_instance([](const json& j) {
     std::vector<std::vector<int>> handles;
     for (const auto& handle : j["handles"]) handles.push_back(handle["vertices"].get<std::vector<int>>());
@@ -96,7 +95,7 @@ TEST_CASE("weights of the reference instances") {
   });
 }
 
-TEST_CASE("rotations of the reference instances from their weights") {
+TEST_CASE("rotations of the reference instances from their weights" * outside_data({"sdp"})) {
   for_each_instance([](const json& j) {
     std::vector<Turn> turns;
     for (const auto& handle : j["handles"]) turns.push_back(turn_of(handle["rotation"]));

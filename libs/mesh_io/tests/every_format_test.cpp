@@ -14,6 +14,7 @@
 #include <limits>
 #include <random>
 #include <regex>
+#include <set>
 
 using namespace isostretch;
 using namespace isostretch::mesh;
@@ -69,14 +70,17 @@ bool contains(const std::string& text, const std::string& part) {
 // Every sample with the fault is refused, naming the place and one of the texts.
 void refused(const Variation& variation, std::initializer_list<const char*> texts,
              const std::function<bool(const Sample&)>& concerned) {
+  int checked = 0;
   for (const Sample& sample : all_samples(variation)) {
     if (!concerned(sample)) continue;
+    ++checked;
     const std::string message = message_of(sample.name, sample.contents, sample.tets);
     CAPTURE(sample.name);
     CAPTURE(message);
     CHECK(names_place(message, sample));
     CHECK(std::any_of(texts.begin(), texts.end(), [&](const char* text) { return contains(message, text); }));
   }
+  CHECK(checked > 0);
 }
 
 bool every(const Sample&) {
@@ -348,14 +352,17 @@ TEST_CASE("every format: what cannot be written is refused and leaves nothing be
 }
 
 TEST_CASE("every format: surfaces and tetrahedra are told apart") {
+  std::set<std::string> checked;
   for (const Sample& sample : all_samples()) {
     const std::string kind = extension(sample.name);
     if (kind != ".msh" && kind != ".mesh" && kind != ".vtk" && kind != ".vtu") continue;
+    checked.insert(kind + (sample.tets ? " of tetrahedra" : ""));
     CAPTURE(sample.name);
     CHECK(contains(message_of(sample.name, sample.contents, !sample.tets),
                    sample.tets ? "no triangles: a mesh of 2 tetrahedra, to be read as such"
                                : "no tetrahedra: a surface of 2 faces, to be read as such"));
   }
+  CHECK(checked.size() == 8);
 }
 
 TEST_CASE("every format: reading and writing do not depend on the locale") {

@@ -37,26 +37,34 @@ const std::string square_corners = "v 0 0 0\nv 1 0 0.1\nv 1 1 0.3\nv 0 1 0\n";
 }  // namespace
 
 TEST_CASE("every text format: lines end in any of three ways") {
+  int checked = 0;
   for (const Sample& sample : all_samples()) {
     if (!sample.text) continue;
+    ++checked;
     same_as(sample, with_line_ends(sample.contents, "\r\n"));
     same_as(sample, with_line_ends(sample.contents, "\r"));
   }
+  CHECK(checked > 10);
 }
 
 TEST_CASE("every text format: a byte-order mark is passed over") {
+  int checked = 0;
   for (const Sample& sample : all_samples()) {
     if (!sample.text) continue;
+    ++checked;
     same_as(sample, "\xEF\xBB\xBF" + sample.contents);
     same_as(sample, "\xEF\xBB\xBF" + with_line_ends(sample.contents, "\r"));
   }
+  CHECK(checked > 10);
 }
 
 TEST_CASE("every text format: faults name the line whatever ends it") {
   Variation variation;
   variation.corner = 77;
+  int checked = 0;
   for (const Sample& sample : all_samples(variation)) {
     if (!sample.text || !sample.indexed) continue;
+    ++checked;
     CAPTURE(sample.name);
     const auto message = [&](const std::string& contents) -> std::string {
       try {
@@ -71,6 +79,7 @@ TEST_CASE("every text format: faults name the line whatever ends it") {
     CHECK(message(with_line_ends(sample.contents, "\r\n")) == plain);
     CHECK(message(with_line_ends(sample.contents, "\r")) == plain);
   }
+  CHECK(checked > 10);
 }
 
 TEST_CASE("PLY: a binary file whose header has old line ends may begin with any byte") {

@@ -1,4 +1,6 @@
 // Solid bodies in 3D: recovery from hopeless starts at any stiffness, filters, inexact solves, scaled terms.
+#include "conditional.hpp"
+
 #include <isostretch/core/error.hpp>
 #include <isostretch/energies/registry.hpp>
 #include <isostretch/fem/element_arrays.hpp>
@@ -10,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <random>
@@ -18,6 +19,9 @@
 #include <vector>
 
 using namespace isostretch;
+using isostretch::tests::outside_data;
+using isostretch::tests::outside_path;
+using isostretch::tests::slow_under_sanitizers;
 using newton::Projection;
 
 namespace {
@@ -266,17 +270,9 @@ TEST_CASE("a scaled term counts that many times, one of scale 0 not at all, doma
   CHECK_THROWS_AS(first.set_scale(std::nan("")), Error);
 }
 
-TEST_CASE("the near-incompressible scenarios: iterations of the published filters and of the default") {
-  const std::string file = std::string(ISOSTRETCH_SOURCE_DIR) + "/../shared/meshes/tets/bob.mesh";
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  MESSAGE("skipped under a sanitizer: bob");
-  return;
-#endif
-  if (!std::filesystem::exists(file)) {
-    MESSAGE("skipped without bob");
-    return;
-  }
-  mesh::TetMesh bob = mesh::read_tets(file);
+TEST_CASE("the near-incompressible scenarios: iterations of the published filters and of the default" *
+          outside_data({"meshes/tets/bob.mesh"}) * slow_under_sanitizers()) {
+  mesh::TetMesh bob = mesh::read_tets(outside_path("meshes/tets/bob.mesh"));
   bob.vertices.rowwise() -= bob.vertices.colwise().mean().eval();
   bob.vertices /= bob.vertices.rowwise().norm().maxCoeff();
   const Body body(bob);

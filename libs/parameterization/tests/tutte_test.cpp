@@ -1,3 +1,4 @@
+#include "conditional.hpp"
 #include "meshes.hpp"
 
 #include <isostretch/core/error.hpp>
@@ -13,7 +14,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <string>
 
@@ -21,7 +21,8 @@ using namespace isostretch;
 using namespace isostretch::mesh;
 using namespace isostretch::parameterization;
 using namespace isostretch::mesh::test;
-namespace fs = std::filesystem;
+using isostretch::tests::outside_data;
+using isostretch::tests::outside_path;
 
 namespace {
 
@@ -128,16 +129,11 @@ TEST_CASE("Tutte: a solver that does not converge is a status") {
   CHECK(result.uv.rows() == 0);
 }
 
-TEST_CASE("Tutte: scanned disks have no flips and area 1") {
-  const fs::path folder = fs::path(ISOSTRETCH_SOURCE_DIR) / ".." / "shared" / "meshes" / "disks";
+TEST_CASE("Tutte: scanned disks have no flips and area 1" * outside_data({"meshes/disks"})) {
   for (const char* name : {"armadillocut_62k.obj", "bunnycut_19k.obj", "camelb_up1_14k.obj",
                            "camelhead_23k.obj", "face_52k.obj", "lilium_6k.obj"}) {
-    if (!fs::exists(folder / name)) {
-      MESSAGE("skipped, not there: ", name);
-      continue;
-    }
     CAPTURE(name);
-    const SurfaceMesh mesh = read_surface((folder / name).string());
+    const SurfaceMesh mesh = read_surface(outside_path("meshes/disks/" + std::string(name)));
     CHECK(check(mesh).count(Kind::zero_size) == 0);
     flat_elements(mesh);
     check_embedding(mesh);

@@ -42,13 +42,16 @@ void check(const golden::Case& c, const golden::Record& record, double& worst) {
 template <int Dim>
 void check_all() {
   double worst = 0;
+  int checked = 0;
   for (const auto& c : golden::read(Dim))
     for (const auto& record : c.records) {
       if (!record.comparable) continue;
+      ++checked;
       CAPTURE(c.id);
       CAPTURE(record.energy);
       check<Dim>(c, record, worst);
     }
+  CHECK(checked > 100);
   MESSAGE(isa_name(active_isa()) << ", " << Dim << "D: worst C " << worst);
 }
 

@@ -22,11 +22,7 @@ void report(const std::string& name, const Summary& summary) {
 
 }  // namespace
 
-TEST_CASE("reference optima: interior point, both margins") {
-  const auto references = tests::references();
-  CHECK(references.size() >= 3);
-  if (references.size() < 10)
-    MESSAGE("seven reference instances are skipped: they are not beside the sources");
+static void check_interior_point(const std::vector<tests::Reference>& references) {
   for (const auto& [name, json, reference, rest] : references) {
     sdp_penalty::Problem problem = reference;
     for (const std::string kind : {"sdp", "sdp_eps"}) {
@@ -52,8 +48,16 @@ TEST_CASE("reference optima: interior point, both margins") {
   }
 }
 
-TEST_CASE("reference optima: the penalty path, certified, whichever the penalty") {
-  for (const auto& [name, json, problem, rest] : tests::references())
+TEST_CASE("reference optima: interior point, both margins") {
+  check_interior_point(tests::references());
+}
+
+TEST_CASE("outside optima: interior point, both margins" * tests::outside_data({"sdp"})) {
+  check_interior_point(tests::outside_references());
+}
+
+static void check_penalty_path(const std::vector<tests::Reference>& references) {
+  for (const auto& [name, json, problem, rest] : references)
     for (const Penalty penalty : sdp_penalty::all_penalties()) {
       CAPTURE(name);
       CAPTURE(sdp_penalty::penalty_name(penalty));
@@ -71,8 +75,17 @@ TEST_CASE("reference optima: the penalty path, certified, whichever the penalty"
     }
 }
 
-TEST_CASE("reference optima: the whole penalty path reaches the optimum of epsilon to 1e-6") {
-  for (const auto& [name, json, problem, rest] : tests::references()) {
+TEST_CASE("reference optima: the penalty path, certified, whichever the penalty") {
+  check_penalty_path(tests::references());
+}
+
+TEST_CASE("outside optima: the penalty path, certified, whichever the penalty" *
+          tests::outside_data({"sdp"})) {
+  check_penalty_path(tests::outside_references());
+}
+
+static void check_whole_penalty_path(const std::vector<tests::Reference>& references) {
+  for (const auto& [name, json, problem, rest] : references) {
     CAPTURE(name);
     Options options;
     options.method = Method::penalty;
@@ -89,8 +102,16 @@ TEST_CASE("reference optima: the whole penalty path reaches the optimum of epsil
   }
 }
 
-TEST_CASE("reference optima: the augmented Lagrangians") {
-  const auto references = tests::references();
+TEST_CASE("reference optima: the whole penalty path reaches the optimum of epsilon to 1e-6") {
+  check_whole_penalty_path(tests::references());
+}
+
+TEST_CASE("outside optima: the whole penalty path reaches the optimum of epsilon to 1e-6" *
+          tests::outside_data({"sdp"})) {
+  check_whole_penalty_path(tests::outside_references());
+}
+
+static void check_augmented_lagrangians(const std::vector<tests::Reference>& references) {
   for (const Method method : {Method::augmented_lagrangian, Method::spectral_sdp, Method::pennon})
     for (const auto& [name, json, problem, rest] : references) {
       CAPTURE(name);
@@ -107,4 +128,12 @@ TEST_CASE("reference optima: the augmented Lagrangians") {
       CHECK(summary.energy <= upper * (1 + 1e-6));
       CHECK(summary.inverted == 0);
     }
+}
+
+TEST_CASE("reference optima: the augmented Lagrangians") {
+  check_augmented_lagrangians(tests::references());
+}
+
+TEST_CASE("outside optima: the augmented Lagrangians" * tests::outside_data({"sdp"})) {
+  check_augmented_lagrangians(tests::outside_references());
 }

@@ -1,4 +1,5 @@
 // Cutting to disks, seams and components.
+#include "conditional.hpp"
 #include "meshes.hpp"
 
 #include <isostretch/core/error.hpp>
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <numeric>
 #include <random>
@@ -28,6 +28,8 @@
 using namespace isostretch;
 using namespace isostretch::mesh;
 using namespace isostretch::mesh::test;
+using isostretch::tests::outside_data;
+using isostretch::tests::outside_path;
 
 namespace {
 
@@ -195,10 +197,6 @@ SurfaceMesh plate_with_holes() {
     result.triangles.row(static_cast<Eigen::Index>(i)) = mesh.triangles.row(kept[i]);
   repair(result);
   return result;
-}
-
-std::string surface_path(const std::string& name) {
-  return std::string(ISOSTRETCH_SOURCE_DIR) + "/../shared/meshes/surfaces/" + name;
 }
 
 }  // namespace
@@ -490,7 +488,7 @@ TEST_CASE("components: split and merge") {
   CHECK(split(square(), {0, 1}).back().original_vertex == std::vector<int>{0, 2, 3});
 }
 
-TEST_CASE("cut: real surfaces") {
+TEST_CASE("cut: real surfaces" * outside_data({"meshes/surfaces"})) {
   struct Surface {
     std::string name;
     int genus;
@@ -499,11 +497,7 @@ TEST_CASE("cut: real surfaces") {
   for (const Surface& surface : {Surface{"spot.obj", 0, 2.8}, Surface{"cow.obj", 0, 3.9},
                                  Surface{"fertility.off", 4, 3.5}, Surface{"decimated-max.obj", 0, 1.5}}) {
     CAPTURE(surface.name);
-    if (!std::filesystem::exists(surface_path(surface.name))) {
-      MESSAGE("skipped without " << surface.name);
-      continue;
-    }
-    SurfaceMesh mesh = read_surface(surface_path(surface.name));
+    SurfaceMesh mesh = read_surface(outside_path("meshes/surfaces/" + surface.name));
     repair(mesh, {.split_vertices = true});
     const Cut cut = cut_well(mesh);
     int genus = 0;

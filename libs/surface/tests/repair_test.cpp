@@ -1,3 +1,4 @@
+#include "conditional.hpp"
 #include "meshes.hpp"
 
 #include <isostretch/core/error.hpp>
@@ -11,7 +12,6 @@
 
 #include <Eigen/Dense>
 
-#include <filesystem>
 #include <initializer_list>
 #include <random>
 #include <string>
@@ -20,6 +20,8 @@
 using namespace isostretch;
 using namespace isostretch::mesh;
 using namespace isostretch::mesh::test;
+using isostretch::tests::outside_data;
+using isostretch::tests::outside_path;
 
 namespace {
 
@@ -181,13 +183,9 @@ TEST_CASE("repair: triangles of zero area are reported, not touched") {
   CHECK_THROWS_WITH_AS(repair(mesh), doctest::Contains("triangle 1 (vertices 0 77 3)"), Error);
 }
 
-TEST_CASE("repair: a real model with a vertex where two fans meet") {
-  const std::string path = std::string(ISOSTRETCH_SOURCE_DIR) + "/../shared/meshes/surfaces/cow.obj";
-  if (!std::filesystem::exists(path)) {
-    MESSAGE("skipped without cow.obj");
-    return;
-  }
-  SurfaceMesh mesh = read_surface(path);
+TEST_CASE("repair: a real model with a vertex where two fans meet" *
+          outside_data({"meshes/surfaces/cow.obj"})) {
+  SurfaceMesh mesh = read_surface(outside_path("meshes/surfaces/cow.obj"));
   CHECK(check(mesh).find(Kind::non_manifold_vertex)->vertices == std::vector<int>{253});
   const RepairReport report = repair_well(mesh, {.split_vertices = true});
   CHECK(report.split_vertices == std::vector<int>{253});
