@@ -1,6 +1,7 @@
 // Compiled once per instruction-set level: see cmake/IsostretchKernels.cmake for what may be included here.
 #include "kernel_table.hpp"
 
+#include <isostretch/assembly/deformation_gradient.hpp>
 #include <isostretch/projection/chunk_steps.hpp>
 
 namespace isostretch::assembly::ISOSTRETCH_KERNELS {
@@ -32,22 +33,11 @@ void gather(const ElementChunk& chunk, const double* x, double* X) {
   }
 }
 
-// sum over nodes of x_a g_a^T, as differences to node 0, whose gradient is minus the sum of the others':
-// exact for translations, and one node cheaper.
 template <int Dim, int Nodes, class T>
 ISOSTRETCH_INLINE Mat<Dim, T> gradient_of(const ElementChunk& chunk, const double* X, int i) {
-  Mat<Dim, T> F;
-  for (int a = 1; a < Nodes; ++a) {
-    T difference[Dim], g[Dim];
-    for (int c = 0; c < Dim; ++c) {
-      difference[c] = entry<T>(X, chunk.stride, a * Dim + c, i) - entry<T>(X, chunk.stride, c, i);
-      g[c] = entry<T>(chunk.gradients, chunk.stride, a * Dim + c, i);
-    }
-    for (int r = 0; r < Dim; ++r)
-      for (int c = 0; c < Dim; ++c)
-        F[r][c] = a == 1 ? difference[r] * g[c] : fma(difference[r], g[c], F[r][c]);
-  }
-  return F;
+  return deformation_gradient<Dim, T>(
+      Nodes, [&](int a, int r) { return entry<T>(X, chunk.stride, a * Dim + r, i); },
+      [&](int a, int c) { return entry<T>(chunk.gradients, chunk.stride, a * Dim + c, i); });
 }
 
 template <int Dim, int Nodes>
@@ -87,8 +77,8 @@ ISOSTRETCH_INLINE void add_hessian(const ElementChunk& chunk,
 template <int Dim, int Nodes>
 ISOSTRETCH_INLINE void add_gradient(const ElementChunk& chunk, const Mat<Dim, Pack>& P, Pack weight,
                                     double* G, int i) {
-  projection::for_each_force<Dim, Nodes>(
-      P, weight, [&](int a, int c) { return entry(chunk.gradients, chunk.stride, a * Dim + c, i); },
+  projection::for_each_force(
+      Nodes, P, weight, [&](int a, int c) { return entry(chunk.gradients, chunk.stride, a * Dim + c, i); },
       [&](int a, int r, Pack value) { add_entry(G, chunk.stride, a * Dim + r, i, value); });
 }
 

@@ -27,23 +27,19 @@ std::size_t size(int n) {
   return static_cast<std::size_t>(n);
 }
 
-int block_count(int nodes) {
-  return nodes * (nodes + 1) / 2;
-}
-
 // Scratch of one thread, laid out once.
 struct Workspace {
   Workspace(int dim, int nodes)
       : arena(sizeof(double) * (projection::point_chunk_doubles(dim) +
                                 size(projection::chunk_size(dim)) *
-                                    size(3 * nodes * dim + block_count(nodes) * dim * dim + 1) +
+                                    size(3 * nodes * dim + BlockAssembler::pairs(nodes) * dim * dim + 1) +
                                 64)),
         points(projection::bind_point_chunk(dim, arena.doubles(projection::point_chunk_doubles(dim)))) {
     const std::size_t chunk = size(projection::chunk_size(dim));
     X = arena.doubles(chunk * size(nodes * dim));
     DX = arena.doubles(chunk * size(nodes * dim));
     G = arena.doubles(chunk * size(nodes * dim));
-    H = arena.doubles(chunk * size(block_count(nodes) * dim * dim));
+    H = arena.doubles(chunk * size(BlockAssembler::pairs(nodes) * dim * dim));
     filtered = arena.doubles(chunk);
   }
 
@@ -81,7 +77,6 @@ EnergyAssembler::EnergyAssembler(const Elements& elements, energies::AnyEnergy e
   chunk_count_ = (element_count_ + chunk_ - 1) / chunk_;
   order_elements(elements);
   chunk_elements(elements);
-  index_gradient();
 }
 
 void EnergyAssembler::set_scale(double scale) {
@@ -99,9 +94,10 @@ void EnergyAssembler::order_elements(const Elements& elements) {
   std::iota(original_.begin(), original_.end(), 0);
   std::stable_sort(original_.begin(), original_.end(),
                    [&](int a, int b) { return smallest[size(a)] < smallest[size(b)]; });
-  nodes_of_element_.reserve(elements.nodes.size());
-  for (const int e : original_)
-    nodes_of_element_.insert(nodes_of_element_.end(), nodes(e), nodes(e) + nodes_);
+  std::vector<int> ordered;
+  ordered.reserve(elements.nodes.size());
+  for (const int e : original_) ordered.insert(ordered.end(), nodes(e), nodes(e) + nodes_);
+  restriction_ = Restriction(std::move(ordered), nodes_, node_count_);
 }
 
 void EnergyAssembler::chunk_elements(const Elements& elements) {
@@ -124,43 +120,8 @@ void EnergyAssembler::chunk_elements(const Elements& elements) {
     }
 }
 
-void EnergyAssembler::index_gradient() {
-  gradient_start_.assign(size(node_count_) + 1, 0);
-  for (const int node : nodes_of_element_) ++gradient_start_[size(node) + 1];
-  for (std::size_t i = 0; i < size(node_count_); ++i) gradient_start_[i + 1] += gradient_start_[i];
-  gradient_index_.resize(nodes_of_element_.size());
-  std::vector<std::size_t> next(gradient_start_.begin(), gradient_start_.end() - 1);
-  for (std::size_t k = 0; k < nodes_of_element_.size(); ++k)
-    gradient_index_[next[size(nodes_of_element_[k])]++] = k * size(dim_);
-}
-
-void EnergyAssembler::add_to(PatternBuilder& builder) const {
-  for (int e = 0; e < element_count_; ++e)
-    builder.add_clique(nodes_of_element_.data() + size(e * nodes_), nodes_);
-}
-
 void EnergyAssembler::bind(const HessianPattern& pattern) {
-  pattern_ = &pattern;
-  const std::size_t blocks = size(block_count(nodes_));
-  if (size(element_count_) * blocks > max_contribution)
-    throw Error(std::to_string(element_count_) + " elements are more than one term can assemble");
-  std::vector<std::pair<std::size_t, Contribution>> found;
-  found.reserve(size(element_count_) * blocks);
-  Contribution slot = 0;
-  for (int e = 0; e < element_count_; ++e) {
-    const int* nodes = nodes_of_element_.data() + size(e) * size(nodes_);
-    for (int a = 0; a < nodes_; ++a)
-      for (int b = a; b < nodes_; ++b, ++slot)
-        // Slots hold (row of a, column of b); the pattern wants the larger node in the rows.
-        found.push_back({pattern.block(nodes[a], nodes[b]), 2 * slot + (nodes[a] < nodes[b] ? 1 : 0)});
-  }
-  contribution_start_.assign(pattern.block_count() + 1, 0);
-  for (const auto& [block, contribution] : found) ++contribution_start_[block + 1];
-  for (std::size_t i = 0; i < pattern.block_count(); ++i)
-    contribution_start_[i + 1] += contribution_start_[i];
-  contributions_.resize(found.size());
-  std::vector<std::uint32_t> next(contribution_start_.begin(), contribution_start_.end() - 1);
-  for (const auto& [block, contribution] : found) contributions_[next[block]++] = contribution;
+  blocks_.emplace(restriction_, pattern);
 }
 
 namespace {
@@ -312,18 +273,12 @@ Evaluation EnergyAssembler::differentiate(const double* x, const projection::Fil
     return result;
   }
   if (gradient == nullptr) return result;
-#pragma omp parallel for schedule(static)
-  for (int node = 0; node < node_count_; ++node) {
-    std::array<double, 3> sum{};
-    for (std::size_t k = gradient_start_[size(node)]; k < gradient_start_[size(node) + 1]; ++k)
-      for (std::size_t d = 0; d < size(dim_); ++d) sum[d] += gradient_slots_[gradient_index_[k] + d];
-    for (std::size_t d = 0; d < size(dim_); ++d) gradient[size(node * dim_) + d] += sum[d];
-  }
+  restriction_.add_transposed(dim_, gradient_slots_.data(), gradient);
   return result;
 }
 
 std::size_t EnergyAssembler::hessian_entries_per_element() const {
-  return size(block_count(nodes_) * dim_ * dim_);
+  return size(BlockAssembler::pairs(nodes_) * dim_ * dim_);
 }
 
 double* EnergyAssembler::element_hessians() {
@@ -345,36 +300,9 @@ int EnergyAssembler::element_not_finite() const {
 }
 
 void EnergyAssembler::add_hessian(double* values) const {
-  if (pattern_ == nullptr) throw Error("add_hessian() before bind()");
+  if (!blocks_) throw Error("add_hessian() before bind()");
   if (hessian_slots_.empty()) throw Error("add_hessian() before differentiate() with a Hessian");
-  if (dim_ == 2)
-    gather_hessian<2>(values);
-  else
-    gather_hessian<3>(values);
-}
-
-template <int Dim>
-void EnergyAssembler::gather_hessian(double* values) const {
-  constexpr std::size_t entries = Dim * Dim;
-  constexpr std::size_t ahead = 24;  // slots come from memory, not from cache: ask for them in time
-  const std::size_t blocks = pattern_->block_count(), last = contributions_.size() - 1;
-#pragma omp parallel for schedule(static)
-  for (std::size_t block = 0; block < blocks; ++block) {
-    std::array<double, entries> sum{};
-    for (std::size_t k = contribution_start_[block]; k < contribution_start_[block + 1]; ++k) {
-      __builtin_prefetch(hessian_slots_.data() + (contributions_[std::min(k + ahead, last)] >> 1) * entries);
-      const double* slot = hessian_slots_.data() + (contributions_[k] >> 1) * entries;
-      if (contributions_[k] & 1u) {
-        for (int r = 0; r < Dim; ++r)
-          for (int s = 0; s < Dim; ++s) sum[size(r * Dim + s)] += slot[s * Dim + r];
-      } else {
-        for (std::size_t e = 0; e < entries; ++e) sum[e] += slot[e];
-      }
-    }
-    const int* positions = pattern_->positions(block);
-    for (std::size_t e = 0; e < entries; ++e)
-      if (positions[e] >= 0) values[positions[e]] += sum[e];
-  }
+  blocks_->add_stored(hessian_slots_.data(), values);
 }
 
 double EnergyAssembler::max_step(const double* x, const double* dx, double limit) const {

@@ -87,24 +87,31 @@ void polar_batch(const PolarBatch& batch) {
   }
 }
 
-template <int Dim>
+template <int Dim, bool WithVectors>
 void eigen_batch(const EigenBatch& batch) {
   for (std::size_t n = 0; n < batch.count; n += wide_lanes) {
     Mat<Dim, WidePack> A = gather_matrix<Dim>(batch.A, batch.stride, n, batch.count);
     for (int i = 0; i < Dim; ++i)
       for (int j = 0; j < i; ++j) A[j][i] = A[i][j];
     SymmetricEigen<Dim, WidePack> eigen;
-    symmetric_eigen(A, eigen);
+    symmetric_eigen<WithVectors>(A, eigen);
     scatter_vector<Dim>(batch.lambda, batch.stride, n, batch.count, eigen.lambda);
-    scatter_matrix<Dim>(batch.Q, batch.stride, n, batch.count, eigen.Q);
+    if constexpr (WithVectors) scatter_matrix<Dim>(batch.Q, batch.stride, n, batch.count, eigen.Q);
   }
+}
+
+template <int Dim>
+void eigen_batch(const EigenBatch& batch) {
+  batch.Q == nullptr ? eigen_batch<Dim, false>(batch) : eigen_batch<Dim, true>(batch);
 }
 
 }  // namespace
 
 extern const DecompositionKernels decomposition_kernels;
 const DecompositionKernels decomposition_kernels = {
-    {svd_batch<2>, svd_batch<3>}, {polar_batch<2>, polar_batch<3>}, {eigen_batch<2>, eigen_batch<3>}};
+    {svd_batch<2>, svd_batch<3>},
+    {polar_batch<2>, polar_batch<3>},
+    {eigen_batch<2>, eigen_batch<3>, eigen_batch<4>, eigen_batch<6>}};
 
 }  // namespace ISOSTRETCH_KERNELS
 }  // namespace isostretch::linalg

@@ -1,3 +1,4 @@
+#include <isostretch/core/error.hpp>
 #include <isostretch/linalg/decompositions.hpp>
 
 #include <doctest/doctest.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <random>
+#include <vector>
 
 #include "every_level.hpp"
 
@@ -19,7 +21,7 @@ void check_eigen(const Eigen::Matrix<double, Dim, Dim>& A) {
   const auto eigen = linalg::symmetric_eigen<Dim>(A);
   CAPTURE(A);
   CAPTURE(eigen.lambda.transpose());
-  CHECK((eigen.Q.transpose() * eigen.Q - Matrix::Identity()).norm() < 5e-15);
+  CHECK((eigen.Q.transpose() * eigen.Q - Matrix::Identity()).norm() < std::max(5e-15, 2e-15 * Dim));
   CHECK(eigen.Q.determinant() > 0);
   const Matrix rebuilt = eigen.Q * eigen.lambda.asDiagonal() * eigen.Q.transpose();
   CHECK((rebuilt - A).cwiseAbs().maxCoeff() <= 1e-14 * A.cwiseAbs().maxCoeff());
@@ -55,7 +57,30 @@ TEST_CASE("symmetric eigen-decomposition: orthogonal, rebuilds A, agrees with Ei
   tests::at_every_level([] {
     check_all<2>();
     check_all<3>();
+    check_all<4>();
+    check_all<6>();
   });
+}
+
+TEST_CASE("symmetric eigen-decomposition: eigenvalues alone are the same bits") {
+  tests::at_every_level([] {
+    std::mt19937 generator(4);
+    std::normal_distribution<double> normal;
+    for (const int dim : {2, 3, 4, 6}) {
+      constexpr std::size_t count = 37;
+      const auto entries = static_cast<std::size_t>(dim * dim), rows = static_cast<std::size_t>(dim);
+      std::vector<double> A(entries * count), Q(A.size()), with(rows * count), alone(with.size());
+      for (double& entry : A) entry = normal(generator);
+      linalg::symmetric_eigen(dim, {A.data(), with.data(), Q.data(), count, count});
+      linalg::symmetric_eigen(dim, {A.data(), alone.data(), nullptr, count, count});
+      CHECK(with == alone);
+    }
+  });
+}
+
+TEST_CASE("symmetric eigen-decomposition: sizes without a kernel are refused") {
+  for (const int dim : {1, 5, 7})
+    CHECK_THROWS_WITH_AS(linalg::symmetric_eigen(dim, {}), doctest::Contains("2, 3, 4 and 6 rows"), Error);
 }
 
 TEST_CASE("symmetric eigen-decomposition: a graded positive definite matrix keeps its small eigenvalue") {

@@ -43,8 +43,9 @@ ISOSTRETCH_INLINE Pack rest_gradient(const ChunkTask& task, int dim, int node, i
 // Linear elements: Dim + 1 nodes.
 template <int Dim>
 ISOSTRETCH_INLINE void store_element_gradient(const Mat<Dim, Pack>& P, const ChunkTask& task, int i) {
-  for_each_force<Dim, Dim + 1>(
-      P, load<Pack>(task.weights + i), [&](int a, int c) { return rest_gradient(task, Dim, a, c, i); },
+  for_each_force(
+      Dim + 1, P, load<Pack>(task.weights + i),
+      [&](int a, int c) { return rest_gradient(task, Dim, a, c, i); },
       [&](int a, int r, Pack value) {
         store(task.G + static_cast<std::size_t>(a * Dim + r) * task.stride + i, value);
       });

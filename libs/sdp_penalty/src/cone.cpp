@@ -1,6 +1,7 @@
 #include "cone.hpp"
 
-#include "small_matrix.hpp"
+#include <isostretch/assembly/least_parallel.hpp>
+#include <isostretch/linalg/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,16 +12,18 @@
 namespace isostretch::sdp_penalty {
 namespace {
 
+using linalg::Mat;
+
 // out_i = T_i A_i T_i^T, or with the transposes T_i^T A_i T_i.
 template <int D>
 Blocks congruence(const Blocks& T, const Blocks& A, bool transpose) {
   Blocks out(A.size());
   const std::size_t count = A.size() / (D * D);
-#pragma omp parallel for schedule(static) if (count > least_parallel)
+#pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
   for (std::size_t i = 0; i < count; ++i) {
-    Small<D> t = load<D>(T.data() + i * D * D);
+    Mat<D> t = linalg::from_rows<D>(T.data() + i * D * D);
     if (transpose) t = transposed(t);
-    store(t * load<D>(A.data() + i * D * D) * transposed(t), out.data() + i * D * D);
+    to_rows(t * linalg::from_rows<D>(A.data() + i * D * D) * transposed(t), out.data() + i * D * D);
   }
   return out;
 }
@@ -38,7 +41,7 @@ double smallest_relative(std::size_t d, const std::vector<double>& l, const Bloc
   std::vector<double> root(l.size());
   for (std::size_t k = 0; k < l.size(); ++k) root[k] = 1 / std::sqrt(l[k]);
   const std::size_t count = D.size() / (d * d);
-#pragma omp parallel for schedule(static) if (count > least_parallel)
+#pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t r = 0; r < d; ++r)
       for (std::size_t c = 0; c < d; ++c)
@@ -91,7 +94,7 @@ void Cone::start(Blocks M, double floor, double least, double complementarity) {
 void Cone::aim(double centre, bool correct) {
   target_.assign(Z_.size(), 0.0);
   const std::size_t count = Z_.size() / (size_ * size_);
-#pragma omp parallel for schedule(static) if (count > least_parallel)
+#pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t r = 0; r < size_; ++r)
       for (std::size_t c = 0; c < size_; ++c) {
@@ -107,7 +110,7 @@ void Cone::aim(double centre, bool correct) {
 Blocks Cone::products_at(double step) const {
   Blocks z = dZ_, y = dY_, products(dZ_.size());
   const std::size_t count = Z_.size() / (size_ * size_);
-#pragma omp parallel for schedule(static) if (count > least_parallel)
+#pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t r = 0; r < size_; ++r)
       for (std::size_t c = 0; c < size_; ++c) {
@@ -132,7 +135,7 @@ void Cone::recentre(double step, double centre) {
   for (double& value : lambda)
     value = std::max(std::clamp(value, 0.1 * centre, 10 * centre) - value, -10 * centre);
   const std::size_t count = Z_.size() / (size_ * size_);
-#pragma omp parallel for schedule(static) if (count > least_parallel)
+#pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t r = 0; r < size_; ++r)
       for (std::size_t c = 0; c < size_; ++c) {

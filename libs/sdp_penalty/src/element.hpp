@@ -1,7 +1,6 @@
 #pragma once
 
-#include "small_matrix.hpp"
-
+#include <isostretch/assembly/deformation_operator.hpp>
 #include <isostretch/core/vector.hpp>
 #include <isostretch/sdp_penalty/problem.hpp>
 
@@ -9,31 +8,28 @@
 
 namespace isostretch::sdp_penalty {
 
+using linalg::Mat;
+
+// F of linear elements, which have one quadrature point each.
 template <int D>
-Small<D> rotation(const Problem& problem, std::size_t e) {
-  return transposed(load<D>(problem.rotations.data() + e * D * D));  // they stand column by column
+assembly::DeformationOperator<D, D + 1> deformation(const Problem& problem) {
+  return assembly::DeformationOperator<D, D + 1>(problem.elements);
 }
 
 template <int D>
-const double* gradients(const Problem& problem, std::size_t e) {
-  return problem.elements.gradients.data() + e * (D + 1) * D;
+Mat<D> rotation(const Problem& problem, std::size_t e) {
+  return linalg::from_columns<D>(problem.rotations.data() + e * D * D);
 }
 
 template <int D>
-Small<D> deformation_gradient(const assembly::Elements& elements, std::size_t e, const Vector& x) {
-  const int* node = elements.nodes.data() + e * (D + 1);
-  const double* g = elements.gradients.data() + e * (D + 1) * D;
-  Small<D> F;
-  for (int a = 0; a <= D; ++a)
-    for (int r = 0; r < D; ++r)
-      for (int c = 0; c < D; ++c) F(r, c) += x[node[a] * D + r] * g[a * D + c];
-  return F;
+const double* rest_gradients(const Problem& problem, std::size_t e) {
+  return deformation<D>(problem).rest_gradients(e);
 }
 
 // R^T F, not made symmetric.
 template <int D>
-Small<D> unrotated(const Problem& problem, std::size_t e, const Vector& x) {
-  return transposed(rotation<D>(problem, e)) * deformation_gradient<D>(problem.elements, e, x);
+Mat<D> unrotated(const Problem& problem, std::size_t e, const Vector& x) {
+  return transposed(rotation<D>(problem, e)) * deformation<D>(problem).apply(e, x.data());
 }
 
 }  // namespace isostretch::sdp_penalty

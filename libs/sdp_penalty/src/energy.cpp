@@ -1,5 +1,6 @@
 #include "element.hpp"
 
+#include <isostretch/assembly/least_parallel.hpp>
 #include <isostretch/sdp_penalty/problem.hpp>
 
 #include <vector>
@@ -11,15 +12,15 @@ template <int D>
 double elastic_energy(const Problem& problem, const Vector& x) {
   const auto count = static_cast<std::size_t>(problem.element_count());
   std::vector<double> values(count);
-#pragma omp parallel for schedule(static) if (count > least_parallel)
+#pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
   for (std::size_t e = 0; e < count; ++e) {
-    Small<D> G = unrotated<D>(problem, e, x);  // |F - R| = |R^T F - I|
+    Mat<D> G = unrotated<D>(problem, e, x);  // |F - R| = |R^T F - I|
     double trace = -D;
     for (int i = 0; i < D; ++i) {
-      trace += G(i, i);
-      G(i, i) -= 1;
+      trace += G[i][i];
+      G[i][i] -= 1;
     }
-    values[e] = problem.weights[e] * dot(G, G) + 0.5 * problem.incompressibility * trace * trace;
+    values[e] = problem.weights[e] * inner_product(G, G) + 0.5 * problem.incompressibility * trace * trace;
   }
   double sum = 0;
   for (const double value : values) sum += value;

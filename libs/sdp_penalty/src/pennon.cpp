@@ -4,7 +4,9 @@
 #include "methods.hpp"
 #include "multiplier_method.hpp"
 #include "scaling.hpp"
-#include "small_matrix.hpp"
+
+#include <isostretch/assembly/least_parallel.hpp>
+#include <isostretch/linalg/cholesky.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,19 +15,14 @@
 namespace isostretch::sdp_penalty {
 namespace {
 
-// The inverse of L L^T = pI - A: false outside the domain.
+using linalg::Mat;
+
+// The transpose of the inverse of L, L L^T = pI - A: false outside the domain.
 template <int D>
-bool inverse_root(const Small<D>& matrix, Small<D>& inverse) {
-  Small<D> L;
-  if (!cholesky(matrix, L)) return false;
-  inverse = {};
-  for (int c = 0; c < D; ++c)
-    for (int r = c; r < D; ++r) {
-      double sum = r == c ? 1.0 : 0.0;
-      for (int k = c; k < r; ++k) sum -= L(r, k) * inverse(k, c);
-      inverse(r, c) = sum / L(r, r);
-    }
-  inverse = transposed(inverse);
+bool inverse_root(const Mat<D>& matrix, Mat<D>& inverse) {
+  Mat<D> L;
+  if (!linalg::cholesky(matrix, L)) return false;
+  inverse = transposed(linalg::inverse_of_lower(L));
   return true;
 }
 
@@ -54,30 +51,30 @@ class ReciprocalBarrier final : public MultiplierPenalty {
  private:
   // L with L L^T = W.
   template <int D>
-  bool root(const Blocks& S, std::size_t e, Small<D>& L) const {
-    Small<D> matrix = load<D>(S.data() + e * D * D);
-    for (int i = 0; i < D; ++i) matrix(i, i) += parameter - bound;
+  bool root(const Blocks& S, std::size_t e, Mat<D>& L) const {
+    Mat<D> matrix = linalg::from_rows<D>(S.data() + e * D * D);
+    for (int i = 0; i < D; ++i) matrix[i][i] += parameter - bound;
     return inverse_root(matrix, L);
   }
   template <int D>
-  double value(const Small<D>& N, std::size_t e) const {
+  double value(const Mat<D>& N, std::size_t e) const {
     double sum = 0;
     for (int i = 0; i < D; ++i)
       sum +=
-          parameter * parameter * N(i, i) - parameter * U_[e * D * D + static_cast<std::size_t>(i * (D + 1))];
+          parameter * parameter * N[i][i] - parameter * U_[e * D * D + static_cast<std::size_t>(i * (D + 1))];
     return sum;
   }
   template <int D>
-  Small<D> pulled(const Small<D>& L, std::size_t e) const {
-    return transposed(L) * load<D>(U_.data() + e * D * D) * L;
+  Mat<D> pulled(const Mat<D>& L, std::size_t e) const {
+    return transposed(L) * linalg::from_rows<D>(U_.data() + e * D * D) * L;
   }
 
   template <int D>
   std::vector<double> all_values(const Blocks& S) const {
     std::vector<double> result(S.size() / (D * D));
-#pragma omp parallel for schedule(static) if (result.size() > least_parallel)
+#pragma omp parallel for schedule(static) if (result.size() > assembly::least_parallel)
     for (std::size_t e = 0; e < result.size(); ++e) {
-      Small<D> L;
+      Mat<D> L;
       result[e] = root(S, e, L) ? value(pulled(L, e), e) : std::numeric_limits<double>::infinity();
     }
     return result;
@@ -88,21 +85,21 @@ class ReciprocalBarrier final : public MultiplierPenalty {
     const std::size_t count = state.value.size();
     Blocks L(S.size()), N(S.size()), Q;
     for (std::size_t e = 0; e < count; ++e) {
-      Small<D> root_of_W;
+      Mat<D> root_of_W{};
       root(S, e, root_of_W);
-      const Small<D> of_U = pulled(root_of_W, e), W_U_W = root_of_W * of_U * transposed(root_of_W);
+      const Mat<D> of_U = pulled(root_of_W, e), W_U_W = root_of_W * of_U * transposed(root_of_W);
       state.value[e] = value(of_U, e);
       state.curvature.active[e] = 1;
       for (std::size_t k = 0; k < D * D; ++k)
-        state.multiplier[e * D * D + k] = parameter * parameter * W_U_W.entry[k];
-      store(root_of_W, L.data() + e * D * D);
-      store(of_U, N.data() + e * D * D);
+        state.multiplier[e * D * D + k] = parameter * parameter * W_U_W.m[k / D][k % D];
+      to_rows(root_of_W, L.data() + e * D * D);
+      to_rows(of_U, N.data() + e * D * D);
     }
     std::vector<double> n;
     block_eigen(D, N, n, &Q);
     for (std::size_t e = 0; e < count; ++e) {
-      store(load<D>(L.data() + e * D * D) * load<D>(Q.data() + e * D * D),
-            state.curvature.Q.data() + e * D * D);
+      to_rows(linalg::from_rows<D>(L.data() + e * D * D) * linalg::from_rows<D>(Q.data() + e * D * D),
+              state.curvature.Q.data() + e * D * D);
       for (std::size_t j = 0; j < D; ++j)
         for (std::size_t k = 0; k < D; ++k)
           state.curvature.h[(e * D + j) * D + k] =

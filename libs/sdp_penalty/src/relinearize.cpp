@@ -1,5 +1,4 @@
-#include "element.hpp"
-
+#include <isostretch/assembly/deformation_operator.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/timer.hpp>
 #include <isostretch/linalg/decompositions.hpp>
@@ -19,11 +18,7 @@ std::vector<double> rotations_of(const assembly::Elements& elements, const Vecto
   constexpr std::size_t entries = D * D;
   const auto count = static_cast<std::size_t>(elements.element_count());
   std::vector<double> F(count * entries), R(count * entries), S(count * entries), rotations(count * entries);
-  for (std::size_t e = 0; e < count; ++e) {
-    const Small<D> gradient = deformation_gradient<D>(elements, e, x);
-    for (std::size_t r = 0; r < D; ++r)
-      for (std::size_t c = 0; c < D; ++c) F[(r + D * c) * count + e] = gradient.entry[r * D + c];
-  }
+  assembly::deformation_gradients(elements, x.data(), 0, count, F.data(), count);
   linalg::polar(D, {F.data(), R.data(), S.data(), count, count});
   for (std::size_t e = 0; e < count; ++e)
     for (std::size_t r = 0; r < D; ++r)

@@ -1,7 +1,7 @@
 #include "scaling.hpp"
 
-#include "small_matrix.hpp"
-
+#include <isostretch/assembly/least_parallel.hpp>
+#include <isostretch/linalg/cholesky.hpp>
 #include <isostretch/linalg/decompositions.hpp>
 
 #include <algorithm>
@@ -9,6 +9,8 @@
 
 namespace isostretch::sdp_penalty {
 namespace {
+
+using linalg::Mat;
 
 // The kernels of linalg want entry e of block i at e * count + i, column by column.
 struct Columns {
@@ -21,102 +23,65 @@ struct Columns {
 };
 
 template <int D>
-void put(const Small<D>& A, Columns& columns, std::size_t block) {
+void put(const Mat<D>& A, Columns& columns, std::size_t block) {
   for (int r = 0; r < D; ++r)
-    for (int c = 0; c < D; ++c) columns(block, static_cast<std::size_t>(r + D * c)) = A(r, c);
+    for (int c = 0; c < D; ++c) columns(block, static_cast<std::size_t>(r + D * c)) = A[r][c];
 }
 
 template <int D>
-Small<D> get(Columns& columns, std::size_t block) {
-  Small<D> A;
+Mat<D> get(Columns& columns, std::size_t block) {
+  Mat<D> A;
   for (int r = 0; r < D; ++r)
-    for (int c = 0; c < D; ++c) A(r, c) = columns(block, static_cast<std::size_t>(r + D * c));
+    for (int c = 0; c < D; ++c) A[r][c] = columns(block, static_cast<std::size_t>(r + D * c));
   return A;
-}
-
-// Cyclic Jacobi: A becomes diagonal, Q (unless null) its eigenvectors in columns. For sizes that linalg has
-// no kernel for.
-template <int D>
-void jacobi(Small<D>& A, Small<D>* Q) {
-  constexpr int most_sweeps = 30;
-  if (Q) *Q = identity<D>();
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    double off = 0, diagonal = 0;
-    for (int i = 0; i < D; ++i) {
-      diagonal += A(i, i) * A(i, i);
-      for (int j = 0; j < i; ++j) off += A(i, j) * A(i, j);
-    }
-    if (!(off > 1e-34 * diagonal)) return;
-    for (int p = 0; p < D; ++p)
-      for (int q = p + 1; q < D; ++q) {
-        if (A(p, q) == 0) continue;
-        const double theta = (A(q, q) - A(p, p)) / (2 * A(p, q));
-        const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(theta, 1.0));
-        const double c = 1 / std::hypot(t, 1.0), s = t * c;
-        const auto turn = [c, s](double& u, double& v) {
-          const double before = u;
-          u = c * before - s * v;
-          v = s * before + c * v;
-        };
-        for (int k = 0; k < D; ++k) turn(A(k, p), A(k, q));
-        for (int k = 0; k < D; ++k) turn(A(p, k), A(q, k));
-        for (int k = 0; Q && k < D; ++k) turn((*Q)(k, p), (*Q)(k, q));
-      }
-  }
 }
 
 constexpr std::size_t batch = 512;  // blocks a thread takes at once, small enough for its cache
 
-// With Z = L L^T, Y = M M^T and M^T L = U diag(l) V^T:  r = L V diag(l)^-1/2,  r^-1 = diag(l)^-1/2 U^T M^T.
 // U and sigma of square matrices: entries of U row by row after one another, sigma in no order. The large
 // ones by the eigenvectors of A A^T, which is near a multiple of the identity on the central path.
 template <int D>
-void left_vectors(const std::vector<Small<D>>& A, std::vector<Small<D>>& U, double* sigma) {
-  constexpr std::size_t entries = D * D;
+void left_vectors(const std::vector<Mat<D>>& A, std::vector<Mat<D>>& U, double* sigma) {
   const std::size_t count = A.size();
   U.resize(count);
-  if constexpr (D > 3) {
-    for (std::size_t i = 0; i < count; ++i) {
-      Small<D> square = A[i] * transposed(A[i]);
-      jacobi(square, &U[i]);
-      for (int k = 0; k < D; ++k) sigma[i * D + static_cast<std::size_t>(k)] = std::sqrt(square(k, k));
-    }
-  } else {
-    Columns matrices(count, entries), vectors(count, entries), values(count, D);
-    for (std::size_t i = 0; i < count; ++i) put(A[i], matrices, i);
+  Columns matrices(count, D * D), vectors(count, D * D), values(count, D);
+  for (std::size_t i = 0; i < count; ++i) put(D > 3 ? A[i] * transposed(A[i]) : A[i], matrices, i);
+  if constexpr (D > 3)
+    linalg::symmetric_eigen(D, {matrices.data.data(), values.data.data(), vectors.data.data(), count, count});
+  else
     linalg::signed_svd(
         D, {matrices.data.data(), vectors.data.data(), values.data.data(), nullptr, count, count});
-    for (std::size_t i = 0; i < count; ++i) {
-      U[i] = get<D>(vectors, i);
-      for (std::size_t k = 0; k < D; ++k) sigma[i * D + k] = values(i, k);
-    }
+  for (std::size_t i = 0; i < count; ++i) {
+    U[i] = get<D>(vectors, i);
+    for (std::size_t k = 0; k < D; ++k) sigma[i * D + k] = D > 3 ? std::sqrt(values(i, k)) : values(i, k);
   }
 }
 
+// With Z = L L^T, Y = M M^T and M^T L = U diag(l) V^T:  r = L V diag(l)^-1/2,  r^-1 = diag(l)^-1/2 U^T M^T.
 template <int D>
 bool compute_scaling(const double* Z, const double* Y, std::size_t count, double* scaled_inverse,
                      double* weight, double* l) {
   constexpr std::size_t entries = D * D;
-  std::vector<Small<D>> Mt(count), product(count), U;
+  std::vector<Mat<D>> Mt(count), product(count), U;
   bool positive = true;
   for (std::size_t i = 0; i < count; ++i) {
-    Small<D> L, M;
-    positive = cholesky(load<D>(Z + i * entries), L) && positive;
-    positive = cholesky(load<D>(Y + i * entries), M) && positive;
+    Mat<D> L, M;
+    positive = cholesky(linalg::from_rows<D>(Z + i * entries), L) && positive;
+    positive = cholesky(linalg::from_rows<D>(Y + i * entries), M) && positive;
     Mt[i] = transposed(M);
     product[i] = Mt[i] * L;
   }
   if (!positive) return false;
   left_vectors<D>(product, U, l);
   for (std::size_t i = 0; i < count; ++i) {
-    Small<D> inverse = transposed(U[i]) * Mt[i];
+    Mat<D> inverse = transposed(U[i]) * Mt[i];
     for (int k = 0; k < D; ++k) {
       const double lk = l[i * D + static_cast<std::size_t>(k)];
       positive = lk > 0 && positive;
-      for (int c = 0; c < D; ++c) inverse(k, c) /= std::sqrt(lk);
+      for (int c = 0; c < D; ++c) inverse[k][c] /= std::sqrt(lk);
     }
-    store(inverse, scaled_inverse + i * entries);
-    store(transposed(inverse) * inverse, weight + i * entries);
+    to_rows(inverse, scaled_inverse + i * entries);
+    to_rows(transposed(inverse) * inverse, weight + i * entries);
   }
   return positive;
 }
@@ -129,7 +94,7 @@ bool compute_all_scalings(const std::vector<double>& Z, const std::vector<double
   scaling.weight.resize(count * entries);
   scaling.l.resize(count * D);
   std::vector<unsigned char> positive(count / batch + 1, 1);
-#pragma omp parallel for schedule(static) if (count > least_parallel)
+#pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
   for (std::size_t first = 0; first < count; first += batch)
     positive[first / batch] = compute_scaling<D>(
         &Z[first * entries], &Y[first * entries], std::min(batch, count - first),
@@ -140,23 +105,13 @@ bool compute_all_scalings(const std::vector<double>& Z, const std::vector<double
 template <int D>
 void compute_eigen(const double* A, std::size_t count, double* lambda, double* Q) {
   constexpr std::size_t entries = D * D;
-  if constexpr (D > 3) {
-    for (std::size_t i = 0; i < count; ++i) {
-      Small<D> diagonal = load<D>(A + i * entries), vectors;
-      jacobi(diagonal, Q ? &vectors : nullptr);
-      for (int k = 0; k < D; ++k) lambda[i * D + static_cast<std::size_t>(k)] = diagonal(k, k);
-      if (Q) store(vectors, Q + i * entries);
-    }
-    return;
-  } else {
-    Columns matrices(count, entries), vectors(count, entries), values(count, D);
-    for (std::size_t i = 0; i < count; ++i) put(load<D>(A + i * entries), matrices, i);
-    linalg::symmetric_eigen(
-        D, {matrices.data.data(), values.data.data(), Q ? vectors.data.data() : nullptr, count, count});
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < D; ++k) lambda[i * D + k] = values(i, k);
-      if (Q) store(get<D>(vectors, i), Q + i * entries);
-    }
+  Columns matrices(count, entries), vectors(Q ? count : 0, entries), values(count, D);
+  for (std::size_t i = 0; i < count; ++i) put(linalg::from_rows<D>(A + i * entries), matrices, i);
+  linalg::symmetric_eigen(
+      D, {matrices.data.data(), values.data.data(), Q ? vectors.data.data() : nullptr, count, count});
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < D; ++k) lambda[i * D + k] = values(i, k);
+    if (Q) to_rows(get<D>(vectors, i), Q + i * entries);
   }
 }
 
@@ -166,7 +121,7 @@ void compute_all_eigen(const std::vector<double>& A, std::vector<double>& lambda
   const std::size_t count = A.size() / entries;
   lambda.resize(count * D);
   if (Q) Q->resize(count * entries);
-#pragma omp parallel for schedule(static) if (count > least_parallel)
+#pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
   for (std::size_t first = 0; first < count; first += batch)
     compute_eigen<D>(A.data() + first * entries, std::min(batch, count - first), lambda.data() + first * D,
                      Q ? Q->data() + first * entries : nullptr);

@@ -1,13 +1,17 @@
 #include "spectral.hpp"
 
 #include "scaling.hpp"
-#include "small_matrix.hpp"
+
+#include <isostretch/assembly/least_parallel.hpp>
+#include <isostretch/linalg/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace isostretch::sdp_penalty {
 namespace {
+
+using linalg::Mat;
 
 double value_at(const SpectralPenalty& p, double y) {
   if (p.kind == Penalty::spline) {
@@ -58,26 +62,26 @@ Blocks shifted(const SpectralPenalty& penalty, int dim, const Blocks& S) {
 template <int D>
 void fill_state(const SpectralPenalty& penalty, const std::vector<double>& y, PenaltyState& state) {
   const std::size_t count = y.size() / D;
-#pragma omp parallel for schedule(static) if (count > least_parallel)
+#pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
   for (std::size_t e = 0; e < count; ++e) {
     const double* at = y.data() + e * D;
     const bool active =
         penalty.kind == Penalty::spline || std::any_of(at, at + D, [](double v) { return v < 0; });
     state.curvature.active[e] = active;
     state.value[e] = 0;
-    Small<D> multiplier, h;
+    Mat<D> multiplier{}, h{};
     if (active) {
-      const Small<D> Q = load<D>(state.curvature.Q.data() + e * D * D);
+      const Mat<D> Q = linalg::from_rows<D>(state.curvature.Q.data() + e * D * D);
       for (int k = 0; k < D; ++k) {
         state.value[e] += value_at(penalty, at[k]);
         const double pull = -slope_at(penalty, at[k]);
         for (int r = 0; r < D; ++r)
-          for (int c = 0; c < D; ++c) multiplier(r, c) += pull * Q(r, k) * Q(c, k);
-        for (int j = 0; j < D; ++j) h(j, k) = slope_difference(penalty, at[j], at[k]);
+          for (int c = 0; c < D; ++c) multiplier[r][c] += pull * Q[r][k] * Q[c][k];
+        for (int j = 0; j < D; ++j) h[j][k] = slope_difference(penalty, at[j], at[k]);
       }
     }
-    store(multiplier, state.multiplier.data() + e * D * D);
-    store(h, state.curvature.h.data() + e * D * D);
+    to_rows(multiplier, state.multiplier.data() + e * D * D);
+    to_rows(h, state.curvature.h.data() + e * D * D);
   }
 }
 

@@ -6,7 +6,9 @@
 #include "methods.hpp"
 #include "multiplier_method.hpp"
 #include "scaling.hpp"
-#include "small_matrix.hpp"
+
+#include <isostretch/assembly/least_parallel.hpp>
+#include <isostretch/linalg/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +16,8 @@
 
 namespace isostretch::sdp_penalty {
 namespace {
+
+using linalg::Mat;
 
 constexpr double branch = -0.5, least_share = 0.1;
 
@@ -70,11 +74,11 @@ class QuadraticLog final : public MultiplierPenalty {
     Blocks Q;
     block_eigen(D, U, lambda, &Q);
     for (std::size_t e = 0; e < lambda.size() / D; ++e) {
-      Small<D> V = load<D>(Q.data() + e * D * D);
+      Mat<D> V = linalg::from_rows<D>(Q.data() + e * D * D);
       for (int k = 0; k < D; ++k)
         for (int r = 0; r < D; ++r)
-          V(r, k) *= std::sqrt(std::max(least_, lambda[e * D + static_cast<std::size_t>(k)]));
-      store(V, root_.data() + e * D * D);
+          V[r][k] *= std::sqrt(std::max(least_, lambda[e * D + static_cast<std::size_t>(k)]));
+      to_rows(V, root_.data() + e * D * D);
     }
   }
 
@@ -84,15 +88,16 @@ class QuadraticLog final : public MultiplierPenalty {
   Blocks scaled(const Blocks& S) const {
     Blocks result(S.size());
     const std::size_t count = S.size() / (D * D);
-#pragma omp parallel for schedule(static) if (count > least_parallel)
+#pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
     for (std::size_t e = 0; e < count; ++e) {
-      const Small<D> V = load<D>(root_.data() + e * D * D);
-      Small<D> A = load<D>(S.data() + e * D * D);
-      for (double& entry : A.entry) entry = -entry;
-      for (int i = 0; i < D; ++i) A(i, i) += bound;
-      Small<D> B = transposed(V) * A * V;
-      for (double& entry : B.entry) entry /= parameter;
-      store(B, result.data() + e * D * D);
+      const Mat<D> V = linalg::from_rows<D>(root_.data() + e * D * D);
+      Mat<D> A = linalg::from_rows<D>(S.data() + e * D * D);
+      A *= -1.0;
+      for (int i = 0; i < D; ++i) A[i][i] += bound;
+      Mat<D> B = transposed(V) * A * V;
+      for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) B[i][j] /= parameter;
+      to_rows(B, result.data() + e * D * D);
     }
     return result;
   }
@@ -100,23 +105,23 @@ class QuadraticLog final : public MultiplierPenalty {
   template <int D>
   void fill(const std::vector<double>& t, PenaltyState& state) const {
     const std::size_t count = t.size() / D;
-#pragma omp parallel for schedule(static) if (count > least_parallel)
+#pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
     for (std::size_t e = 0; e < count; ++e) {
       const double* at = t.data() + e * D;
       double* basis = state.curvature.Q.data() + e * D * D;
-      const Small<D> T = load<D>(root_.data() + e * D * D) * load<D>(basis);
-      Small<D> multiplier, h;
+      const Mat<D> T = linalg::from_rows<D>(root_.data() + e * D * D) * linalg::from_rows<D>(basis);
+      Mat<D> multiplier{}, h{};
       state.value[e] = 0;
       state.curvature.active[e] = 1;
       for (int k = 0; k < D; ++k) {
         state.value[e] += parameter * phi(at[k]);
         for (int r = 0; r < D; ++r)
-          for (int c = 0; c < D; ++c) multiplier(r, c) += slope(at[k]) * T(r, k) * T(c, k);
-        for (int j = 0; j < D; ++j) h(j, k) = slope_difference(at[j], at[k]) / parameter;
+          for (int c = 0; c < D; ++c) multiplier[r][c] += slope(at[k]) * T[r][k] * T[c][k];
+        for (int j = 0; j < D; ++j) h[j][k] = slope_difference(at[j], at[k]) / parameter;
       }
-      store(multiplier, state.multiplier.data() + e * D * D);
-      store(T, basis);
-      store(h, state.curvature.h.data() + e * D * D);
+      to_rows(multiplier, state.multiplier.data() + e * D * D);
+      to_rows(T, basis);
+      to_rows(h, state.curvature.h.data() + e * D * D);
     }
   }
 

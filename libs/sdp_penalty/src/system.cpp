@@ -2,6 +2,8 @@
 
 #include "element.hpp"
 
+#include <isostretch/assembly/least_parallel.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -31,25 +33,22 @@ std::vector<int> hard_nodes(const Problem& problem) {
 System::System(const Problem& problem)
     : problem_(&problem),
       dim_(problem.dim()),
-      nodes_(problem.dim() + 1),
-      element_nodes_(problem.elements.nodes),
+      restriction_(problem.elements),
       hard_nodes_(hard_nodes(problem)) {
   assembly::PatternBuilder builder(problem.node_count());
-  for (std::size_t e = 0; e < blocks(); ++e)
-    builder.add_clique(element_nodes_.data() + e * size(nodes_), nodes_);
+  restriction_.add_to(builder);
   std::vector<bool> pinned(hard_nodes_.empty() ? 0 : size(dim_ * problem.node_count()), false);
   for (const int node : hard_nodes_)
     for (int r = 0; r < dim_; ++r) pinned[size(dim_ * node + r)] = true;
   pattern_ = assembly::HessianPattern(assembly::FreeUnknowns(dim_, problem.node_count(), pinned),
                                       std::move(builder));
-  index_blocks();
-  index_nodes();
+  blocks_ = assembly::BlockAssembler(restriction_, pattern_);
   quadratic_ = pattern_.zero_matrix();
   bind(problem);
 }
 
 bool System::has_structure_of(const Problem& problem) const {
-  return problem.dim() == dim_ && problem.elements.nodes == element_nodes_ &&
+  return problem.dim() == dim_ && problem.elements.nodes == restriction_.nodes() &&
          dim_ * problem.node_count() == pattern_.unknowns().dofs() && hard_nodes(problem) == hard_nodes_;
 }
 
@@ -59,85 +58,40 @@ void System::bind(const Problem& problem) {
       dim_, [&] { assemble_quadratic<2>(); }, [&] { assemble_quadratic<3>(); });
 }
 
-void System::index_blocks() {
-  block_start_.assign(pattern_.block_count() + 1, 0);
-  std::vector<std::pair<std::size_t, std::uint64_t>> found;
-  found.reserve(blocks() * size(nodes_ * (nodes_ + 1) / 2));
-  for (std::size_t e = 0; e < blocks(); ++e) {
-    const int* node = element_nodes_.data() + e * size(nodes_);
-    for (int a = 0; a < nodes_; ++a)
-      for (int b = 0; b < nodes_; ++b)
-        if (node[a] >= node[b]) {
-          found.push_back({pattern_.block(node[a], node[b]), 16 * e + 4 * size(a) + size(b)});
-          ++block_start_[found.back().first + 1];
-        }
-  }
-  for (std::size_t i = 0; i < pattern_.block_count(); ++i) block_start_[i + 1] += block_start_[i];
-  pair_.resize(found.size());
-  std::vector<std::size_t> next(block_start_.begin(), block_start_.end() - 1);
-  for (const auto& [block, pair] : found) pair_[next[block]++] = pair;
-}
-
-void System::index_nodes() {
-  node_start_.assign(size(problem_->node_count()) + 1, 0);
-  for (const int node : element_nodes_) ++node_start_[size(node) + 1];
-  for (std::size_t i = 0; i + 1 < node_start_.size(); ++i) node_start_[i + 1] += node_start_[i];
-  corner_.resize(element_nodes_.size());
-  std::vector<std::size_t> next(node_start_.begin(), node_start_.end() - 1);
-  for (std::size_t k = 0; k < element_nodes_.size(); ++k) corner_[next[size(element_nodes_[k])]++] = k;
-}
-
-// Sums what block(e, a, b, sum) adds for every pair of corners, a in the rows, onto the values.
-template <int D, class Block>
-void System::gather_blocks(std::vector<double>& values, const Block& block) const {
-#pragma omp parallel for schedule(static) if (pattern_.block_count() > least_parallel)
-  for (std::size_t i = 0; i < pattern_.block_count(); ++i) {
-    Small<D> sum;
-    for (std::size_t k = block_start_[i]; k < block_start_[i + 1]; ++k)
-      block(static_cast<std::size_t>(pair_[k] / 16), size(static_cast<int>(pair_[k] / 4 % 4)),
-            size(static_cast<int>(pair_[k] % 4)), sum);
-    const int* position = pattern_.positions(i);
-    for (int r = 0; r < D; ++r)
-      for (int c = 0; c < D; ++c)
-        if (position[r * D + c] >= 0) values[size(position[r * D + c])] += sum(r, c);
-  }
-}
-
-template <int D>
-void System::gather_nodes(const std::vector<double>& corners, Vector& g) const {
-  const int count = problem_->node_count();
-#pragma omp parallel for schedule(static) if (size(count) > least_parallel)
-  for (int node = 0; node < count; ++node)
-    for (std::size_t k = node_start_[size(node)]; k < node_start_[size(node) + 1]; ++k)
-      for (int r = 0; r < D; ++r) g[node * D + r] += corners[corner_[k] * D + size(r)];
-}
-
 // 2 w |F|^2 / 2, the trace term, and 2 alpha at soft targets.
 template <int D>
 void System::assemble_quadratic() {
   const double kappa = problem_->incompressibility;
   std::fill(quadratic_.value.begin(), quadratic_.value.end(), 0.0);
-  gather_blocks<D>(quadratic_.value, [&](std::size_t e, std::size_t a, std::size_t b, Small<D>& sum) {
-    const double* g = gradients<D>(*problem_, e);
-    const Small<D> R = rotation<D>(*problem_, e);
-    double dot = 0;
-    for (std::size_t c = 0; c < D; ++c) dot += g[a * D + c] * g[b * D + c];
-    for (int r = 0; r < D; ++r) sum(r, r) += 2 * problem_->weights[e] * dot;
-    if (kappa == 0) return;
-    std::array<double, D> Ra{}, Rb{};  // gradients of tr(R^T F)
-    for (int r = 0; r < D; ++r)
-      for (int c = 0; c < D; ++c) {
-        Ra[size(r)] += R(r, c) * g[a * D + size(c)];
-        Rb[size(r)] += R(r, c) * g[b * D + size(c)];
-      }
-    for (int r = 0; r < D; ++r)
-      for (int c = 0; c < D; ++c) sum(r, c) += kappa * Ra[size(r)] * Rb[size(c)];
-  });
+  blocks_.add_computed<D, D + 1>(
+      [&](std::size_t e, int a, int b, Mat<D>& sum) {
+        const double* g = rest_gradients<D>(*problem_, e);
+        const Mat<D> R = rotation<D>(*problem_, e);
+        double dot = 0;
+        for (int c = 0; c < D; ++c) dot += g[a * D + c] * g[b * D + c];
+        for (int r = 0; r < D; ++r) sum[r][r] += 2 * problem_->weights[e] * dot;
+        if (kappa == 0) return;
+        std::array<double, D> Ra{}, Rb{};  // gradients of tr(R^T F)
+        for (int r = 0; r < D; ++r)
+          for (int c = 0; c < D; ++c) {
+            Ra[size(r)] += R[r][c] * g[a * D + c];
+            Rb[size(r)] += R[r][c] * g[b * D + c];
+          }
+        for (int r = 0; r < D; ++r)
+          for (int c = 0; c < D; ++c) sum[r][c] += kappa * Ra[size(r)] * Rb[size(c)];
+      },
+      quadratic_.value.data());
   for (const Target& target : problem_->targets) {
     if (target.hard) continue;
     const int* diagonal = pattern_.positions(pattern_.block(target.node, target.node));
     for (int r = 0; r < D; ++r) quadratic_.value[size(diagonal[r * D + r])] += 2 * problem_->alpha;
   }
+}
+
+template <int D>
+void System::store_forces(std::size_t e, const Mat<D>& P, std::vector<double>& corners) const {
+  deformation<D>(*problem_).apply_transposed(
+      e, P, [&](int a, int r, double value) { corners[(e * (D + 1) + size(a)) * D + size(r)] = value; });
 }
 
 Vector System::with_hard_targets(Vector x) const {
@@ -168,24 +122,18 @@ double System::change_of_objective(const Vector& g, const Vector& dx, double ste
 void System::gradient(const Vector& x, Vector& g) const {
   g.setZero(pattern_.unknowns().dofs());
   const auto elastic = [&]<int D>() {
-    std::vector<double> corners(element_nodes_.size() * D);
-#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
+    std::vector<double> corners(restriction_.nodes().size() * D);
+#pragma omp parallel for schedule(static) if (blocks() > assembly::least_parallel)
     for (std::size_t e = 0; e < blocks(); ++e) {
-      Small<D> G = unrotated<D>(*problem_, e, x);
+      Mat<D> G = unrotated<D>(*problem_, e, x);
       double trace = -D;
-      for (int i = 0; i < D; ++i) trace += G(i, i);
-      for (int i = 0; i < D; ++i) G(i, i) -= 1;
-      for (double& entry : G.entry) entry *= 2 * problem_->weights[e];
-      for (int i = 0; i < D; ++i) G(i, i) += problem_->incompressibility * trace;
-      const Small<D> P = rotation<D>(*problem_, e) * G;
-      for (int a = 0; a <= D; ++a)
-        for (int r = 0; r < D; ++r) {
-          double& entry = corners[(e * (D + 1) + size(a)) * D + size(r)];
-          entry = 0;
-          for (int c = 0; c < D; ++c) entry += P(r, c) * gradients<D>(*problem_, e)[a * D + c];
-        }
+      for (int i = 0; i < D; ++i) trace += G[i][i];
+      for (int i = 0; i < D; ++i) G[i][i] -= 1;
+      G *= 2 * problem_->weights[e];
+      for (int i = 0; i < D; ++i) G[i][i] += problem_->incompressibility * trace;
+      store_forces(e, rotation<D>(*problem_, e) * G, corners);
     }
-    gather_nodes<D>(corners, g);
+    restriction_.add_transposed(D, corners.data(), g.data());
   };
   by_dim(
       dim_, [&] { elastic.operator()<2>(); }, [&] { elastic.operator()<3>(); });
@@ -199,9 +147,9 @@ void System::gradient(const Vector& x, Vector& g) const {
 void System::constraints(const Vector& x, Blocks& S) const {
   S.resize(blocks() * block_size());
   const auto fill = [&]<int D>() {
-#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
+#pragma omp parallel for schedule(static) if (blocks() > assembly::least_parallel)
     for (std::size_t e = 0; e < blocks(); ++e)
-      store(symmetric_part(unrotated<D>(*problem_, e, x)), S.data() + e * D * D);
+      to_rows(symmetric_part(unrotated<D>(*problem_, e, x)), S.data() + e * D * D);
   };
   by_dim(
       dim_, [&] { fill.operator()<2>(); }, [&] { fill.operator()<3>(); });
@@ -209,18 +157,13 @@ void System::constraints(const Vector& x, Blocks& S) const {
 
 void System::add_adjoint(const Blocks& M, Vector& g) const {
   const auto add = [&]<int D>() {
-    std::vector<double> corners(element_nodes_.size() * D);
-#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
+    std::vector<double> corners(restriction_.nodes().size() * D);
+#pragma omp parallel for schedule(static) if (blocks() > assembly::least_parallel)
     for (std::size_t e = 0; e < blocks(); ++e) {
-      const Small<D> RM = rotation<D>(*problem_, e) * load<D>(M.data() + e * D * D);
-      for (int a = 0; a <= D; ++a)
-        for (int r = 0; r < D; ++r) {
-          double& entry = corners[(e * (D + 1) + size(a)) * D + size(r)];
-          entry = 0;
-          for (int c = 0; c < D; ++c) entry += RM(r, c) * gradients<D>(*problem_, e)[a * D + c];
-        }
+      const Mat<D> RM = rotation<D>(*problem_, e) * linalg::from_rows<D>(M.data() + e * D * D);
+      store_forces(e, RM, corners);
     }
-    gather_nodes<D>(corners, g);
+    restriction_.add_transposed(D, corners.data(), g.data());
   };
   by_dim(
       dim_, [&] { add.operator()<2>(); }, [&] { add.operator()<3>(); });
@@ -231,14 +174,13 @@ Blocks System::stretch_blocks(const Vector& x, double diagonal) const {
   const auto d = size(dim_), entries = 4 * d * d;
   Blocks B(blocks() * entries, 0.0);
   const auto fill = [&]<int D>() {
-#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
+#pragma omp parallel for schedule(static) if (blocks() > assembly::least_parallel)
     for (std::size_t e = 0; e < blocks(); ++e) {
-      const Small<D> G = unrotated<D>(*problem_, e, x);
+      const Mat<D> G = unrotated<D>(*problem_, e, x);
       double* b = B.data() + e * entries;
       for (std::size_t r = 0; r < D; ++r) {
         b[r * 2 * D + r] = b[(D + r) * 2 * D + D + r] = diagonal;
-        for (std::size_t c = 0; c < D; ++c)
-          b[r * 2 * D + D + c] = b[(D + c) * 2 * D + r] = G.entry[r * D + c];
+        for (std::size_t c = 0; c < D; ++c) b[r * 2 * D + D + c] = b[(D + c) * 2 * D + r] = G.m[r][c];
       }
     }
   };
@@ -275,25 +217,28 @@ void System::add_stretch_adjoint(const Blocks& M, Vector& g) const {
 // With W = [[P, Q], [Q^T, T]] the form is 2 tr(P D T D^T) + 2 tr(Q^T D Q^T D), D = R^T dF.
 template <int D>
 void System::stretch_weighted_blocks(const Blocks& W, sparse::SymmetricMatrix& matrix) const {
-  gather_blocks<D>(matrix.value, [&](std::size_t e, std::size_t a, std::size_t b, Small<D>& sum) {
-    const double* w = W.data() + e * 4 * D * D;
-    const double *ga = gradients<D>(*problem_, e) + a * D, *gb = gradients<D>(*problem_, e) + b * D;
-    Small<D> P;
-    std::array<double, D> Qa{}, Qb{};
-    double dot = 0;
-    for (int r = 0; r < D; ++r)
-      for (int c = 0; c < D; ++c) {
-        P(r, c) = w[r * 2 * D + c];
-        Qa[size(r)] += w[r * 2 * D + D + c] * ga[c];
-        Qb[size(r)] += w[r * 2 * D + D + c] * gb[c];
-        dot += ga[r] * w[(D + r) * 2 * D + D + c] * gb[c];
-      }
-    Small<D> N;
-    for (int r = 0; r < D; ++r)
-      for (int c = 0; c < D; ++c) N(r, c) = 2 * (P(r, c) * dot + Qb[size(r)] * Qa[size(c)]);
-    const Small<D> R = rotation<D>(*problem_, e), K = R * N * transposed(R);
-    for (std::size_t k = 0; k < K.entry.size(); ++k) sum.entry[k] += K.entry[k];
-  });
+  blocks_.add_computed<D, D + 1>(
+      [&](std::size_t e, int a, int b, Mat<D>& sum) {
+        const double* w = W.data() + e * 4 * D * D;
+        const double *ga = rest_gradients<D>(*problem_, e) + a * D,
+                     *gb = rest_gradients<D>(*problem_, e) + b * D;
+        Mat<D> P;
+        std::array<double, D> Qa{}, Qb{};
+        double dot = 0;
+        for (int r = 0; r < D; ++r)
+          for (int c = 0; c < D; ++c) {
+            P[r][c] = w[r * 2 * D + c];
+            Qa[size(r)] += w[r * 2 * D + D + c] * ga[c];
+            Qb[size(r)] += w[r * 2 * D + D + c] * gb[c];
+            dot += ga[r] * w[(D + r) * 2 * D + D + c] * gb[c];
+          }
+        Mat<D> N{};
+        for (int r = 0; r < D; ++r)
+          for (int c = 0; c < D; ++c) N[r][c] = 2 * (P[r][c] * dot + Qb[size(r)] * Qa[size(c)]);
+        const Mat<D> R = rotation<D>(*problem_, e);
+        sum += R * N * transposed(R);
+      },
+      matrix.value.data());
 }
 
 void System::add_stretch_weighted(const Blocks& W, sparse::SymmetricMatrix& matrix) const {
@@ -314,28 +259,25 @@ template <int D>
 void System::weighted_blocks(const Blocks& W, sparse::SymmetricMatrix& matrix) {
   constexpr std::size_t stride = D * D + (D + 1) * D;
   image_.resize(blocks() * stride);
-#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
+#pragma omp parallel for schedule(static) if (blocks() > assembly::least_parallel)
   for (std::size_t e = 0; e < blocks(); ++e) {
-    const Small<D> R = rotation<D>(*problem_, e), RW = R * load<D>(W.data() + e * D * D);
+    const Mat<D> R = rotation<D>(*problem_, e), RW = R * linalg::from_rows<D>(W.data() + e * D * D);
     double* image = image_.data() + e * stride;
-    store(RW * transposed(R), image);
-    for (int a = 0; a <= D; ++a)
-      for (int r = 0; r < D; ++r) {
-        double& q = image[D * D + a * D + r];
-        q = 0;
-        for (int c = 0; c < D; ++c) q += RW(r, c) * gradients<D>(*problem_, e)[a * D + c];
-      }
+    to_rows(RW * transposed(R), image);
+    deformation<D>(*problem_).apply_transposed(e, RW,
+                                               [&](int a, int r, double q) { image[D * D + a * D + r] = q; });
   }
-  gather_blocks<D>(matrix.value, [&](std::size_t e, std::size_t a, std::size_t b, Small<D>& sum) {
-    const double *P = image_.data() + e * stride, *q = P + D * D, *g = gradients<D>(*problem_, e);
-    const double *w = W.data() + e * D * D, *ga = g + a * D, *gb = g + b * D;
-    double dot = 0;
-    for (std::size_t r = 0; r < D; ++r)
-      for (std::size_t c = 0; c < D; ++c) dot += ga[r] * w[r * D + c] * gb[c];
-    for (std::size_t r = 0; r < D; ++r)
-      for (std::size_t c = 0; c < D; ++c)
-        sum.entry[r * D + c] += 0.5 * (dot * P[r * D + c] + q[b * D + r] * q[a * D + c]);
-  });
+  blocks_.add_computed<D, D + 1>(
+      [&](std::size_t e, int a, int b, Mat<D>& sum) {
+        const double *P = image_.data() + e * stride, *q = P + D * D, *g = rest_gradients<D>(*problem_, e);
+        const double *w = W.data() + e * D * D, *ga = g + a * D, *gb = g + b * D;
+        double dot = 0;
+        for (int r = 0; r < D; ++r)
+          for (int c = 0; c < D; ++c) dot += ga[r] * w[r * D + c] * gb[c];
+        for (int r = 0; r < D; ++r)
+          for (int c = 0; c < D; ++c) sum[r][c] += 0.5 * (dot * P[r * D + c] + q[b * D + r] * q[a * D + c]);
+      },
+      matrix.value.data());
 }
 
 void System::weighted(const Blocks& W, sparse::SymmetricMatrix& matrix) {
@@ -348,26 +290,29 @@ void System::weighted(const Blocks& W, sparse::SymmetricMatrix& matrix) {
 // G_bl).
 template <int D>
 void System::curved_blocks(const SpectralCurvature& curvature, sparse::SymmetricMatrix& matrix) const {
-  gather_blocks<D>(matrix.value, [&](std::size_t e, std::size_t a, std::size_t b, Small<D>& sum) {
-    if (!curvature.active[e]) return;
-    const Small<D> Q = load<D>(curvature.Q.data() + e * D * D), U = rotation<D>(*problem_, e) * Q;
-    const Small<D> h = load<D>(curvature.h.data() + e * D * D);
-    const double *ga = gradients<D>(*problem_, e) + a * D, *gb = gradients<D>(*problem_, e) + b * D;
-    std::array<double, D> Ga{}, Gb{};
-    for (int k = 0; k < D; ++k)
-      for (int c = 0; c < D; ++c) {
-        Ga[size(k)] += Q(c, k) * ga[c];
-        Gb[size(k)] += Q(c, k) * gb[c];
-      }
-    Small<D> N;
-    for (int j = 0; j < D; ++j)
-      for (int k = 0; k < D; ++k) {
-        N(j, k) += 0.5 * h(j, k) * Ga[size(k)] * Gb[size(j)];
-        N(j, j) += 0.5 * h(j, k) * Ga[size(k)] * Gb[size(k)];
-      }
-    const Small<D> K = U * N * transposed(U);
-    for (std::size_t k = 0; k < K.entry.size(); ++k) sum.entry[k] += K.entry[k];
-  });
+  blocks_.add_computed<D, D + 1>(
+      [&](std::size_t e, int a, int b, Mat<D>& sum) {
+        if (!curvature.active[e]) return;
+        const Mat<D> Q = linalg::from_rows<D>(curvature.Q.data() + e * D * D),
+                     U = rotation<D>(*problem_, e) * Q;
+        const Mat<D> h = linalg::from_rows<D>(curvature.h.data() + e * D * D);
+        const double *ga = rest_gradients<D>(*problem_, e) + a * D,
+                     *gb = rest_gradients<D>(*problem_, e) + b * D;
+        std::array<double, D> Ga{}, Gb{};
+        for (int k = 0; k < D; ++k)
+          for (int c = 0; c < D; ++c) {
+            Ga[size(k)] += Q[c][k] * ga[c];
+            Gb[size(k)] += Q[c][k] * gb[c];
+          }
+        Mat<D> N{};
+        for (int j = 0; j < D; ++j)
+          for (int k = 0; k < D; ++k) {
+            N[j][k] += 0.5 * h[j][k] * Ga[size(k)] * Gb[size(j)];
+            N[j][j] += 0.5 * h[j][k] * Ga[size(k)] * Gb[size(k)];
+          }
+        sum += U * N * transposed(U);
+      },
+      matrix.value.data());
 }
 
 void System::curved(const SpectralCurvature& curvature, sparse::SymmetricMatrix& matrix) const {
@@ -379,7 +324,7 @@ void System::curved(const SpectralCurvature& curvature, sparse::SymmetricMatrix&
 std::vector<double> System::determinants(const Vector& x) const {
   std::vector<double> result(blocks());
   const auto fill = [&]<int D>() {
-#pragma omp parallel for schedule(static) if (blocks() > least_parallel)
+#pragma omp parallel for schedule(static) if (blocks() > assembly::least_parallel)
     for (std::size_t e = 0; e < blocks(); ++e) result[e] = determinant(unrotated<D>(*problem_, e, x));
   };
   by_dim(

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <isostretch/assembly/block_assembler.hpp>
 #include <isostretch/assembly/hessian_pattern.hpp>
+#include <isostretch/assembly/restriction.hpp>
 #include <isostretch/core/vector.hpp>
 #include <isostretch/sdp_penalty/problem.hpp>
 #include <isostretch/sparse/matrix.hpp>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace isostretch::sdp_penalty {
@@ -34,6 +35,8 @@ struct SpectralCurvature {
 class System {
  public:
   explicit System(const Problem& problem);
+  System(const System&) = delete;  // blocks_ refers to pattern_
+  System& operator=(const System&) = delete;
 
   // Whether the problem has the nodes of these elements and these hard targets, so that bind() serves.
   bool has_structure_of(const Problem& problem) const;
@@ -82,13 +85,10 @@ class System {
   std::vector<double> determinants(const Vector& x) const;
 
  private:
-  template <int D, class Block>
-  void gather_blocks(std::vector<double>& values, const Block& block) const;
+  // Writes P g_a to the entries of every corner a of element e, [element][corner][dim].
   template <int D>
-  void gather_nodes(const std::vector<double>& corners, Vector& g) const;
+  void store_forces(std::size_t e, const linalg::Mat<D>& P, std::vector<double>& corners) const;
 
-  void index_blocks();
-  void index_nodes();
   template <int D>
   void assemble_quadratic();
   template <int D>
@@ -100,15 +100,12 @@ class System {
   void curved_blocks(const SpectralCurvature& curvature, sparse::SymmetricMatrix& matrix) const;
 
   const Problem* problem_;
-  int dim_, nodes_;
-  std::vector<int> element_nodes_, hard_nodes_;  // what the structure was made for
+  int dim_;
+  // What the structure was made for.
+  assembly::Restriction restriction_;
+  std::vector<int> hard_nodes_;
   assembly::HessianPattern pattern_;
-  // Pairs of corners that add to a block of the pattern: 16 e + 4 a + b, with a at the larger node.
-  std::vector<std::size_t> block_start_;
-  std::vector<std::uint64_t> pair_;
-  // Corners of every node: (dim + 1) e + a.
-  std::vector<std::size_t> node_start_;
-  std::vector<std::size_t> corner_;
+  assembly::BlockAssembler blocks_;
   sparse::SymmetricMatrix quadratic_;
   std::vector<double> image_;  // scratch of weighted(): R W R^T, then R W g_a for every corner
 };

@@ -72,12 +72,16 @@ TEST_CASE("rotations that are a little off are no contradiction") {
 
 TEST_CASE("the soft answer gives way where the constraints cannot be had") {
   Problem problem = tests::bar_pushed_through();
-  for (auto& target : problem.targets) target.hard = true;
+  for (auto& target : problem.targets) {
+    target.hard = true;
+    // One side farther than the other: pushed evenly, all elements have the same S, whatever the penalty.
+    if (target.position[0] < 0) target.position[0] -= target.position[1];
+  }
   Vector loose, firm;
   const auto a = sdp_penalty::soft_answer(problem, loose, 1);
   const auto b = sdp_penalty::soft_answer(problem, firm, 1e6);
   CHECK(loose.allFinite());
-  CHECK(b.min_eigenvalue > a.min_eigenvalue);
+  CHECK(b.min_eigenvalue > a.min_eigenvalue + 0.01);
   CHECK(b.min_eigenvalue < 0);
 }
 

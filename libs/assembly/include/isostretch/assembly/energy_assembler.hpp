@@ -1,12 +1,14 @@
 #pragma once
 
+#include <isostretch/assembly/block_assembler.hpp>
 #include <isostretch/assembly/elements.hpp>
 #include <isostretch/assembly/hessian_pattern.hpp>
+#include <isostretch/assembly/restriction.hpp>
 #include <isostretch/energies/any_energy.hpp>
 #include <isostretch/projection/filter.hpp>
 
 #include <cstddef>
-#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace isostretch::assembly {
@@ -39,7 +41,7 @@ class EnergyAssembler {
   void set_scale(double scale);
   double scale() const { return scale_; }
 
-  void add_to(PatternBuilder& builder) const;
+  void add_to(PatternBuilder& builder) const { restriction_.add_to(builder); }
   // Prepares add_hessian() for a pattern that holds what add_to() added.
   void bind(const HessianPattern& pattern);
 
@@ -73,16 +75,8 @@ class EnergyAssembler {
   std::vector<double> stretches(const double* x) const;
 
  private:
-  // Twice the number of a dim x dim block in the slots, plus one where it is wanted transposed.
-  using Contribution = std::uint32_t;
-  static constexpr std::size_t max_contribution = 0x7fffffff;
-
   void order_elements(const Elements& elements);
   void chunk_elements(const Elements& elements);
-  void index_gradient();
-
-  template <int Dim>
-  void gather_hessian(double* values) const;
   template <class Body>
   void for_each_chunk(const Body& body) const;
   template <class Kernels, class Work, class Body>
@@ -103,16 +97,12 @@ class EnergyAssembler {
   std::vector<double> chunk_gradients_;
   std::vector<double> chunk_weights_;
 
-  std::vector<int> original_;          // element of the caller, in the order of the chunks
-  std::vector<int> nodes_of_element_;  // in that order too
+  std::vector<int> original_;             // element of the caller, in the order of the chunks
+  Restriction restriction_;               // elements in that order too
+  std::optional<BlockAssembler> blocks_;  // of the bound pattern
   std::vector<double> chunk_values_;
   std::vector<double> gradient_slots_;  // [element][node][dim]
   std::vector<double> hessian_slots_;   // [element][block a <= b][dim * dim]
-  std::vector<std::size_t> gradient_start_;
-  std::vector<std::size_t> gradient_index_;  // slots of each node
-  const HessianPattern* pattern_ = nullptr;
-  std::vector<std::uint32_t> contribution_start_;
-  std::vector<Contribution> contributions_;  // of each block of the pattern
 };
 
 }  // namespace isostretch::assembly

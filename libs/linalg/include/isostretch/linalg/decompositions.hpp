@@ -1,8 +1,8 @@
 #pragma once
 
-// Signed singular value, polar and symmetric eigen-decompositions of 2x2 and 3x3 matrices, one at a time or
-// in batches. Both run the same kernel at the active instruction-set level (core/isa.hpp): a single matrix is
-// a batch of one.
+// Signed singular value, polar and symmetric eigen-decompositions of 2x2 and 3x3 matrices (and the last also
+// of 4x4 and 6x6), one at a time or in batches. Both run the same kernel at the active instruction-set level
+// (core/isa.hpp): a single matrix is a batch of one.
 //
 // Finite input from 1e-150 to 1e150 in magnitude (and zeros) never gives NaN; NaN and infinity in give NaN
 // out.
@@ -14,11 +14,12 @@
 
 namespace isostretch::linalg {
 
-// Batches; dim is 2 or 3, anything else throws Error.
+// Batches. dim is 2 or 3, and of symmetric_eigen 4 or 6 as well; anything else throws Error.
 void signed_svd(int dim, const SvdBatch& batch);
 
 void polar(int dim, const PolarBatch& batch);
 
+// Takes less time where batch.Q is null.
 void symmetric_eigen(int dim, const EigenBatch& batch);
 
 // One matrix, with Eigen types. Inline, so that no Eigen type whose alignment depends on compiler flags

@@ -12,18 +12,10 @@
 // products, hence is a rotation to rounding also when F is singular. Entries of magnitude 1e-150 to 1e150,
 // and zeros, give finite results.
 
-#include <isostretch/core/pack.hpp>
+#include <isostretch/linalg/matrix.hpp>
 
 namespace isostretch::linalg {
 inline namespace ISOSTRETCH_ISA {
-
-// m[i][j]: row i, column j.
-template <int Dim, class T>
-struct Mat {
-  T m[Dim][Dim];
-  ISOSTRETCH_INLINE T* operator[](int i) { return m[i]; }
-  ISOSTRETCH_INLINE const T* operator[](int i) const { return m[i]; }
-};
 
 template <int Dim, class T>
 struct Svd {
@@ -31,12 +23,6 @@ struct Svd {
   T sigma[Dim];
   Mat<Dim, T> V;
 };
-
-template <int Dim, class T>
-ISOSTRETCH_INLINE void set_identity(Mat<Dim, T>& M) {
-  for (int i = 0; i < Dim; ++i)
-    for (int j = 0; j < Dim; ++j) M[i][j] = T(i == j ? 1.0 : 0.0);
-}
 
 namespace detail {
 

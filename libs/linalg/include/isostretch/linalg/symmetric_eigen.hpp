@@ -1,7 +1,8 @@
 #pragma once
 
-// Kernel template: eigen-decomposition of symmetric Dim x Dim matrices, Dim = 2 or 3, by cyclic Jacobi
-// rotations. Users want linalg/decompositions.hpp.
+// Kernel template: eigen-decomposition of symmetric Dim x Dim matrices by cyclic Jacobi rotations, for a few
+// rows: 2, 3, 4 and 6 are compiled. Users want linalg/decompositions.hpp, and linalg/small_eigen.hpp for any
+// number of rows.
 //
 //   A = Q diag(lambda) Q^T,  Q a rotation,  lambda in no particular order.
 
@@ -20,7 +21,7 @@ namespace detail {
 
 // Zeroes A[p][q] where it matters beside the diagonal (Demmel & Veselic's relative test, with an absolute
 // floor for indefinite A); lanes where it does not matter stay untouched.
-template <int Dim, class T>
+template <bool WithVectors, int Dim, class T>
 ISOSTRETCH_INLINE bool annihilate(Mat<Dim, T>& A, Mat<Dim, T>& Q, int p, int q) {
   const T zero(0.0), one(1.0);
   const T app = A[p][p], aqq = A[q][q], apq = A[p][q];
@@ -41,24 +42,25 @@ ISOSTRETCH_INLINE bool annihilate(Mat<Dim, T>& A, Mat<Dim, T>& Q, int p, int q) 
     A[k][p] = A[p][k] = fma(c, kp, s * kq);
     A[k][q] = A[q][k] = fma(c, kq, -(s * kp));
   }
-  rotate_columns(Q, p, q, c, s);
+  if constexpr (WithVectors) rotate_columns(Q, p, q, c, s);
   return true;
 }
 
 }  // namespace detail
 
-template <int Dim, class T>
+// WithVectors = false leaves Q untouched and unset: for callers that need eigenvalues alone.
+template <bool WithVectors = true, int Dim, class T>
 ISOSTRETCH_INLINE void symmetric_eigen(const Mat<Dim, T>& matrix, SymmetricEigen<Dim, T>& result) {
   const T scale = detail::exact_scale(matrix);
   const T inverse_scale = T(1.0) / scale;
   Mat<Dim, T> A;
   for (int i = 0; i < Dim; ++i)
     for (int j = 0; j < Dim; ++j) A[i][j] = matrix[i][j] * inverse_scale;
-  set_identity(result.Q);
+  if constexpr (WithVectors) set_identity(result.Q);
   for (int sweep = 0; sweep < detail::max_sweeps; ++sweep) {
     bool rotated = false;
     for (int p = 0; p < Dim; ++p)
-      for (int q = p + 1; q < Dim; ++q) rotated |= detail::annihilate(A, result.Q, p, q);
+      for (int q = p + 1; q < Dim; ++q) rotated |= detail::annihilate<WithVectors>(A, result.Q, p, q);
     if (!rotated) break;
   }
   for (int i = 0; i < Dim; ++i) result.lambda[i] = A[i][i] * scale;

@@ -12,7 +12,7 @@
 // no dim^2 x dim^2 matrix is ever formed.
 
 #include <isostretch/invariants/stretch.hpp>
-#include <isostretch/linalg/svd.hpp>
+#include <isostretch/linalg/matrix.hpp>
 
 namespace isostretch::projection {
 inline namespace ISOSTRETCH_ISA {
@@ -113,14 +113,14 @@ ISOSTRETCH_INLINE void for_each_block(const BlockCoefficients<Dim, T>& coefficie
   sink(0, 0, with_first[0]);
 }
 
-// Calls sink(a, r, value) for every entry of the gradient of an element: weight P b_a, likewise with node 0
-// last.
-template <int Dim, int Nodes, class T, class RestGradient, class Sink>
-ISOSTRETCH_INLINE void for_each_force(const Mat<Dim, T>& P, T weight, const RestGradient& rest_gradient,
-                                      const Sink& sink) {
+// Calls sink(a, r, value) for every entry of the gradient of an element of so many nodes: weight P b_a,
+// likewise with node 0 last.
+template <int Dim, class T, class RestGradient, class Sink>
+ISOSTRETCH_INLINE void for_each_force(int nodes, const Mat<Dim, T>& P, T weight,
+                                      const RestGradient& rest_gradient, const Sink& sink) {
   T first[Dim];
   for (int r = 0; r < Dim; ++r) first[r] = T(0.0);
-  for (int a = 1; a < Nodes; ++a) {
+  for (int a = 1; a < nodes; ++a) {
     T b[Dim];
     for (int c = 0; c < Dim; ++c) b[c] = weight * rest_gradient(a, c);
     for (int r = 0; r < Dim; ++r) {
