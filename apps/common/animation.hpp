@@ -2,8 +2,9 @@
 
 #include "common/deformation_names.hpp"
 
-#include "common/figures/deformation_figure.hpp"
 #include "common/output_folder.hpp"
+
+#include <isostretch/figures/deformation_figure.hpp>
 
 #include <array>
 #include <string>

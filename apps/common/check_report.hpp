@@ -4,7 +4,6 @@
 
 #include "common/exit_code.hpp"
 
-
 namespace isostretch::app {
 
 /// Prints the text and the verdict, and returns the exit code: success, or input for a body in trouble.

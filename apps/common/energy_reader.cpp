@@ -2,8 +2,9 @@
 
 #include "common/energy_choice.hpp"
 
-#include <isostretch/expressions/expression.hpp>
 #include "common/deformation_names.hpp"
+
+#include <isostretch/expressions/expression.hpp>
 
 #include <map>
 

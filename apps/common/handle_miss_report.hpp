@@ -4,7 +4,6 @@
 
 #include "common/output_folder.hpp"
 
-
 #include <string>
 #include <vector>
 

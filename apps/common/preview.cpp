@@ -1,11 +1,11 @@
 #include "common/preview.hpp"
 
-#include "common/figures/handle_figure.hpp"
 #include "common/output_folder.hpp"
 #include "common/rig_figure.hpp"
 #include "common/terminal.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/figures/handle_figure.hpp>
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "common/deformation_names.hpp"
 
-#include "common/figures/deformation_figure.hpp"
+#include <isostretch/figures/deformation_figure.hpp>
 
 #include <array>
 #include <vector>

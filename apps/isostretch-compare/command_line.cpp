@@ -4,7 +4,6 @@
 #include "common/exit_code.hpp"
 #include "common/numbers.hpp"
 #include "common/scene_input.hpp"
-#include "common/utf8.hpp"
 #include "common/validators.hpp"
 #include "scene_reader.hpp"
 
@@ -13,6 +12,7 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
+#include <isostretch/core/utf8.hpp>
 
 #include <algorithm>
 #include <iostream>

@@ -1,9 +1,9 @@
 #include "plots.hpp"
 
-#include "common/figures/comparison_plot.hpp"
 #include "verdicts.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/figures/comparison_plot.hpp>
 
 #include <algorithm>
 #include <cmath>

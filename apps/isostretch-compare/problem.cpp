@@ -2,7 +2,6 @@
 
 #include "common/deformation_names.hpp"
 
-#include <isostretch/deformation/fingerprint.hpp>
 #include "body_problem.hpp"
 #include "common/exit_code.hpp"
 #include "scene_reader.hpp"
@@ -10,6 +9,7 @@
 
 #include <isostretch/assembly/energy_assembler.hpp>
 #include <isostretch/core/text.hpp>
+#include <isostretch/deformation/fingerprint.hpp>
 #include <isostretch/deformation/strain.hpp>
 
 #include <cmath>

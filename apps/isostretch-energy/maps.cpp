@@ -1,9 +1,9 @@
 #include "maps.hpp"
 
-#include "common/figures/axis.hpp"
 #include "spectrum.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/figures/axis.hpp>
 
 #include <algorithm>
 #include <array>

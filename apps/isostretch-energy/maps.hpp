@@ -1,9 +1,9 @@
 #pragma once
 
-#include "common/figures/canvas.hpp"
 #include "options.hpp"
 
 #include <isostretch/energies/any_energy.hpp>
+#include <isostretch/figures/canvas.hpp>
 
 #include <cstddef>
 #include <string>

@@ -1,9 +1,9 @@
 // Two plots over time: the energies, and the smallest determinants.
-#include "common/figures/axis.hpp"
-#include "common/figures/canvas.hpp"
 #include "report.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/figures/axis.hpp>
+#include <isostretch/figures/canvas.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include "common/figures/deformation_figure.hpp"
 #include "report.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/figures/deformation_figure.hpp>
 #include <isostretch/surface/edges.hpp>
 
 namespace isostretch::app::interpolate {

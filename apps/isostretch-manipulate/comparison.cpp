@@ -1,6 +1,5 @@
 #include "comparison.hpp"
 
-#include "common/figures/comparison_plot.hpp"
 #include "common/html.hpp"
 #include "common/report_style.hpp"
 #include "common/threads.hpp"
@@ -8,6 +7,7 @@
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/core/version.hpp>
+#include <isostretch/figures/comparison_plot.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -23,9 +23,7 @@ struct FrameResult : deformation::ManipulationFrame {
   bool certified() const { return !rival && summary.status == sdp_penalty::Status::optimal; }
   // As it should end: certified, or by a rival's own account at its goal.
   bool reached() const { return rival ? rival->status == baselines::Status::converged : certified(); }
-  bool stopped() const {
-    return (rival ? rival->outcome() : summary.outcome()) == SolveStatus::interrupted;
-  }
+  bool stopped() const { return (rival ? rival->outcome() : summary.outcome()) == SolveStatus::interrupted; }
   std::string_view status() const {
     return rival ? baselines::status_name(rival->status) : sdp_penalty::status_name(summary.status);
   }

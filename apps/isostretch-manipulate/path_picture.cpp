@@ -1,10 +1,10 @@
 // The way from ex-rotated skinning to the result: a row of iterates, and how they converge.
-#include "common/figures/axis.hpp"
-#include "common/figures/deformed_views.hpp"
 #include "common/rig_figure.hpp"
 #include "report.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/figures/axis.hpp>
+#include <isostretch/figures/deformed_views.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 #include "photo_frames.hpp"
 
-#include "common/figures/photo_warp.hpp"
-
 #include <isostretch/core/text.hpp>
+#include <isostretch/figures/photo_warp.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,10 @@
 
 #include "common/deformation_names.hpp"
 
-#include "common/figures/photo.hpp"
 #include "common/output_folder.hpp"
 #include "scene.hpp"
+
+#include <isostretch/figures/photo.hpp>
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
-#include "common/figures/deformation_figure.hpp"
 #include "common/rig_figure.hpp"
 #include "report.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/figures/deformation_figure.hpp>
 
 namespace isostretch::app::manipulate {
 namespace {

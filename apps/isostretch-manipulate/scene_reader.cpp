@@ -2,11 +2,11 @@
 
 #include "common/body_reader.hpp"
 #include "common/exit_code.hpp"
-#include "common/figures/photo.hpp"
 #include "common/handle_reader.hpp"
 #include "common/json_value.hpp"
 
 #include <isostretch/baselines/solver.hpp>
+#include <isostretch/figures/photo.hpp>
 
 #include <algorithm>
 #include <cmath>

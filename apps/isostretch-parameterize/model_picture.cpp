@@ -1,9 +1,9 @@
 #include "model_picture.hpp"
 
 #include "checker_square.hpp"
-#include "common/figures/model_figure.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/figures/model_figure.hpp>
 #include <isostretch/surface/seams.hpp>
 
 namespace isostretch::app::parameterize {

@@ -1,8 +1,8 @@
-#include "common/figures/solve_figure.hpp"
 #include "outcome.hpp"
 #include "report.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/figures/solve_figure.hpp>
 
 namespace isostretch::app::parameterize {
 namespace {

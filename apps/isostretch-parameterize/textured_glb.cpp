@@ -1,8 +1,8 @@
 #include "textured_glb.hpp"
 
 #include "checker_square.hpp"
-#include "common/figures/checkerboard.hpp"
 
+#include <isostretch/figures/checkerboard.hpp>
 #include <isostretch/mesh_io/io.hpp>
 
 namespace isostretch::app::parameterize {

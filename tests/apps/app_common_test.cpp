@@ -1,14 +1,14 @@
-#include "common/figures/axis.hpp"
-#include "common/figures/canvas.hpp"
-#include "common/figures/comparison_plot.hpp"
-#include "common/figures/distortion_scale.hpp"
-#include "common/figures/raster.hpp"
 #include "common/number_table.hpp"
 #include "common/numbers.hpp"
 #include "common/output_folder.hpp"
 #include "scratch.hpp"
 
 #include <isostretch/core/to_text.hpp>
+#include <isostretch/figures/axis.hpp>
+#include <isostretch/figures/canvas.hpp>
+#include <isostretch/figures/comparison_plot.hpp>
+#include <isostretch/figures/distortion_scale.hpp>
+#include <isostretch/figures/raster.hpp>
 
 #include <doctest/doctest.h>
 
@@ -18,7 +18,7 @@
 #include <stdexcept>
 
 using namespace isostretch::app;
-using namespace isostretch::app::figures;
+using namespace isostretch::figures;
 using doctest::Approx;
 using isostretch::test::Scratch;
 

@@ -2,8 +2,7 @@
 #include "manipulate_app.hpp"
 #include "paths.hpp"
 
-#include "common/figures/photo.hpp"
-
+#include <isostretch/figures/photo.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/mesh_io/io.hpp>
 
@@ -16,8 +15,8 @@
 
 using namespace isostretch;
 using namespace isostretch::test;
-using app::figures::Photo;
 using doctest::Approx;
+using figures::Photo;
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -213,7 +212,7 @@ TEST_CASE("manipulate: a photo comes out as it is when nothing moves") {
   const Outcome run = manipulate({"--photo", file, "--photo-cells", "7", "--handle", "all", "--rotations",
                                   "none", "-o", scratch.path("out"), "--no-picture"});
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  const Photo drawn = app::figures::read_photo(scratch.path("out/photo_0001.png"));
+  const Photo drawn = figures::read_photo(scratch.path("out/photo_0001.png"));
   REQUIRE(drawn.width() == 61);
   REQUIRE(drawn.height() == 40);
   CHECK(largest_difference(photo, drawn) <= 1);
@@ -228,7 +227,7 @@ TEST_CASE("manipulate: a photo moved by whole pixels is the photo, with transpar
                    {"rotations", "none"},
                    {"handles", {{{"select", "all"}, {"translate", {5, 10}}}}}};
   solved(scratch, scene);
-  const Photo drawn = app::figures::read_photo(scratch.path("out/photo_0001.png"));
+  const Photo drawn = figures::read_photo(scratch.path("out/photo_0001.png"));
   REQUIRE(drawn.width() == 45);
   REQUIRE(drawn.height() == 50);
   CHECK(drawn.pixel(0, 49) == 0);

@@ -7,7 +7,9 @@ import textwrap
 import libraries
 
 # A document and the source that has its snippet, between "// snippet: <document>" and "// end of snippet".
-SNIPPETS = [("README.md", "tests/consumers/project/newton.cpp"), ("README.md", "tests/apps/log_sink_test.cpp"),
+SNIPPETS = [("libs/parameterization/README.md", "tests/consumers/project/parameterization.cpp"),
+            ("libs/deformation/README.md", "tests/consumers/project/deformation.cpp"),
+            ("README.md", "tests/consumers/project/newton.cpp"), ("README.md", "tests/apps/log_sink_test.cpp"),
             ("docs/tutorials/energies.md", "tests/consumers/project/testing.cpp")]
 
 

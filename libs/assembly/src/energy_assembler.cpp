@@ -61,7 +61,17 @@ void mark_elements(const ElementChunk& chunk, int nodes, const unsigned char* ma
   }
 }
 
+void require_supported(const energies::AnyEnergy& energy, int dim) {
+  if (!energy.supports(dim))
+    throw Error("energy '" + energy.name() + "' does not exist in " + std::to_string(dim) + "D");
+}
+
 }  // namespace
+
+void EnergyAssembler::set_energy(energies::AnyEnergy energy) {
+  require_supported(energy, dim_);
+  energy_ = std::move(energy);
+}
 
 EnergyAssembler::EnergyAssembler(const Elements& elements, energies::AnyEnergy energy)
     : energy_(std::move(energy)),
@@ -71,8 +81,7 @@ EnergyAssembler::EnergyAssembler(const Elements& elements, energies::AnyEnergy e
       node_count_(elements.node_count),
       element_count_(elements.element_count()) {
   elements.validate();
-  if (!energy_.supports(dim_))
-    throw Error("energy '" + energy_.name() + "' does not exist in " + std::to_string(dim_) + "D");
+  require_supported(energy_, dim_);
   chunk_ = projection::chunk_size(dim_);
   chunk_count_ = (element_count_ + chunk_ - 1) / chunk_;
   order_elements(elements);

@@ -3,9 +3,9 @@
 #include <isostretch/assembly/deformation_operator.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/fem/element_arrays.hpp>
-#include <isostretch/mesh/elements.hpp>
+#include <isostretch/fem/elements.hpp>
+#include <isostretch/fem/quadratic.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/mesh/quadratic.hpp>
 
 #include <doctest/doctest.h>
 #include <omp.h>

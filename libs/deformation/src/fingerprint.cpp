@@ -1,6 +1,6 @@
-#include <isostretch/deformation/fingerprint.hpp>
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/deformation/fingerprint.hpp>
 
 namespace isostretch::deformation {
 

@@ -1,9 +1,9 @@
 
-#include <isostretch/deformation/fingerprint.hpp>
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/log.hpp>
 #include <isostretch/core/text.hpp>
+#include <isostretch/deformation/fingerprint.hpp>
 #include <isostretch/deformation/solid_model.hpp>
 #include <isostretch/deformation/solid_model_file.hpp>
 #include <isostretch/fem/elements.hpp>

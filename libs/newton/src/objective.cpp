@@ -28,6 +28,23 @@ void Objective::add_term(std::unique_ptr<Term> term) {
   changed();
 }
 
+void Objective::remove(const Term& term) {
+  const auto found =
+      std::find_if(terms_.begin(), terms_.end(), [&](const auto& own) { return own.get() == &term; });
+  if (found == terms_.end())
+    throw Error(ErrorKind::misuse, "objective: the term to remove is none of its terms");
+  terms_.erase(found);
+  changed();
+}
+
+void Objective::begin_solve(const Vector& x) {
+  for (const auto& term : terms_) term->begin_solve(x);
+}
+
+void Objective::accepted(const Vector& x) {
+  for (const auto& term : terms_) term->accepted(x);
+}
+
 void Objective::changed() {
   pattern_.reset();
   ++version_;

@@ -96,6 +96,7 @@ class Solver::Solve {
              to_text(summary_.seconds.setup) + " s";
     });
     filter_ = policy_.first();
+    objective_.begin_solve(x_);
     const Evaluation at = differentiate();
     summary_.initial_energy = summary_.energy = at.value;
     if (!std::isfinite(at.value))
@@ -363,6 +364,7 @@ class Solver::Solve {
     }
     summary_.energy = at.value;
     ++summary_.iterations;
+    objective_.accepted(x_);
     row.energy = at.value;
     row.step = search.step;
     row.model_fit = search.model_fit;

@@ -17,6 +17,8 @@ bool Term::has_barrier() const {
   return false;
 }
 void Term::require_fits(int, int) const {}
+void Term::begin_solve(const Vector&) {}
+void Term::accepted(const Vector&) {}
 int Term::element_not_finite() const {
   return -1;
 }

@@ -11,6 +11,7 @@
 #include <memory>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 using namespace isostretch;
 using newton::Status;
@@ -211,4 +212,104 @@ TEST_CASE("solver: an objective that changes during a solve is refused, not writ
                                     }),
                        doctest::Contains("during a solve"), Error);
   CHECK(x == face.start);
+}
+
+namespace {
+
+// Adds nothing, and writes down what it is told.
+class Listener final : public newton::Term {
+ public:
+  Listener(int& solves, std::vector<Vector>& steps) : solves_(solves), steps_(steps) {}
+
+  void add_to(assembly::PatternBuilder&) const override {}
+  void bind(const assembly::HessianPattern&) override {}
+  newton::Evaluation value(const Vector&) override { return {}; }
+  newton::Evaluation differentiate(const Vector&, const projection::FilterOptions&, Vector&, bool) override {
+    return {};
+  }
+  void add_hessian(double*) const override {}
+  void begin_solve(const Vector& x) override {
+    ++solves_;
+    steps_ = {x};
+  }
+  void accepted(const Vector& x) override { steps_.push_back(x); }
+
+ private:
+  int& solves_;
+  std::vector<Vector>& steps_;
+};
+
+}  // namespace
+
+TEST_CASE("Solver: terms are told where a solve begins and of every step, and can be taken out again") {
+  const Face face;
+  newton::Objective objective = face.objective();
+  int solves = 0;
+  std::vector<Vector> steps;
+  const auto& listener = objective.add<Listener>(solves, steps);
+  newton::Solver solver(objective);
+  std::vector<Vector> seen;
+  Vector x = face.start;
+  const newton::Summary summary = solver.solve(x, [&](const newton::Iteration&, const Vector& at) {
+    seen.push_back(at);
+    return newton::CallbackAction::proceed;
+  });
+  CHECK(summary.iterations > 2);
+  CHECK(solves == 1);
+  REQUIRE(steps.size() == seen.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) CHECK(steps[i] == seen[i]);
+  CHECK(steps.back() == x);
+
+  const int version = objective.version();
+  objective.remove(listener);
+  CHECK(objective.version() != version);
+  Vector y = face.start;
+  CHECK(same(solver.solve(y), summary));
+  CHECK(y == x);
+  CHECK(solves == 1);
+  newton::Objective other = face.objective();
+  const auto& kept = other.add<Listener>(solves, steps);
+  CHECK_THROWS_WITH_AS(objective.remove(kept), doctest::Contains("none of its terms"), Error);
+}
+
+TEST_CASE("Solver: another energy on the same elements keeps the analysis, and is solved as if it were new") {
+  const Face face;
+  newton::Objective objective(2, face.elements.node_count);
+  auto& term = objective.add<newton::EnergyTerm>(face.elements, energies::make_energy("symmetric_dirichlet"));
+  newton::Solver solver(objective);
+  Vector x = face.start;
+  solver.solve(x);
+  term.set_energy(energies::make_energy("symmetric_arap"));
+  Vector kept = face.start, fresh = face.start;
+  const newton::Summary again = solver.solve(kept);
+  CHECK(solver.analyses() == 1);
+  newton::Objective anew(2, face.elements.node_count);
+  anew.add<newton::EnergyTerm>(face.elements, energies::make_energy("symmetric_arap"));
+  CHECK(same(newton::minimize(anew, fresh), again));
+  CHECK(kept == fresh);
+  CHECK_THROWS_WITH_AS(term.set_energy(energies::make_energy("conformal_amips_3d")),
+                       doctest::Contains("does not exist in 2D"), Error);
+}
+
+TEST_CASE(
+    "Solver: a request to stop ends a solve, and a deadline in the past does so before the first step") {
+  const Face face;
+  newton::Objective objective = face.objective();
+  const StopSource source;
+  newton::Options options;
+  options.stop = source.token();
+  newton::Solver solver(objective, options);
+  Vector x = face.start;
+  const newton::Summary stopped = solver.solve(x, [&](const newton::Iteration& row, const Vector&) {
+    if (row.iteration == 1) source.request_stop();
+    return newton::CallbackAction::proceed;
+  });
+  CHECK(stopped.status == Status::stopped_by_callback);
+  CHECK(stopped.outcome() == SolveStatus::interrupted);
+  CHECK(stopped.iterations == 1);
+  options.stop = StopToken().with_time_limit(1e-9);
+  solver.set_options(options);
+  Vector y = face.start;
+  CHECK(solver.solve(y).outcome() == SolveStatus::time_limit);
+  CHECK(y == face.start);
 }

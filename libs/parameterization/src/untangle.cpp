@@ -3,11 +3,12 @@
 #include <isostretch/core/log.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/energies/any_energy.hpp>
-#include <isostretch/newton/minimize.hpp>
+#include <isostretch/newton/solver.hpp>
 #include <isostretch/parameterization/untangle.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace isostretch::parameterization {
@@ -41,11 +42,17 @@ class Untangler {
  public:
   Untangler(const assembly::Elements& elements, Vector& x, const UntangleOptions& options,
             const std::vector<int>& pinned_nodes)
-      : elements_(elements), x_(x), options_(options), pinned_(pinned_nodes) {
+      : elements_(elements),
+        x_(x),
+        options_(options),
+        objective_(elements.dim, elements.node_count),
+        term_(objective_.add<newton::EnergyTerm>(elements, FoldoverFree{epsilon_, options.area_weight})) {
+    for (const int node : pinned_nodes) objective_.pin(node);
     options_.newton.max_iterations = options.iterations_per_round;
     options_.newton.gradient_tolerance = options_.newton.scaled_gradient_tolerance = 0;
     options_.newton.relative_energy_tolerance = 1e-3;
     options_.newton.time_limit = 0;
+    solver_.emplace(objective_, options_.newton);
   }
 
   UntangleResult run(const UntangleCallback& callback) {
@@ -64,17 +71,15 @@ class Untangler {
  private:
   // One round at this epsilon; false when it can go no further.
   bool advance() {
-    newton::Objective objective(elements_.dim, elements_.node_count);
-    objective.add<newton::EnergyTerm>(elements_, FoldoverFree{epsilon_, options_.area_weight});
-    for (const int node : pinned_) objective.pin(node);
-    const newton::Summary summary = newton::minimize(objective, x_, options_.newton);
+    term_.set_energy(FoldoverFree{epsilon_, options_.area_weight});
+    const newton::Summary summary = solver_->solve(x_);
     ++result_.rounds;
     result_.iterations += summary.iterations;
     measure();
     log(LogLevel::debug, [&] {
-      return "atlas: untangling, round " + std::to_string(result_.rounds) + ": epsilon " + to_text(epsilon_) +
-             ", smallest determinant " + to_text(result_.smallest_determinant) + " at element " +
-             std::to_string(result_.worst_element);
+      return "parameterization: untangling, round " + std::to_string(result_.rounds) + ": epsilon " +
+             to_text(epsilon_) + ", smallest determinant " + to_text(result_.smallest_determinant) +
+             " at element " + std::to_string(result_.worst_element);
     });
     if (result_.untangled) return true;
     if (summary.iterations == 0 && ++rounds_without_step_ > 10) return false;
@@ -111,10 +116,12 @@ class Untangler {
   const assembly::Elements& elements_;
   Vector& x_;
   UntangleOptions options_;
-  const std::vector<int>& pinned_;
-  UntangleResult result_;
   // A collapse of everything to a point costs 2 / epsilon, the rest shape dim + 2 or so: it must not pay.
   double epsilon_ = 0.2;
+  newton::Objective objective_;
+  newton::EnergyTerm& term_;
+  std::optional<newton::Solver> solver_;  // one analysis for all rounds
+  UntangleResult result_;
   int rounds_without_step_ = 0;
 };
 

@@ -1,28 +1,22 @@
-// A finger-shaped cap embedded without flips, and two copies of it packed.
+// A closed surface flattened into an atlas.
 #include "expect.hpp"
 
+#include <isostretch/energies/registry.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/parameterization/pack.hpp>
-#include <isostretch/parameterization/start.hpp>
-#include <isostretch/surface/orientation.hpp>
-
-#include <vector>
+#include <isostretch/parameterization/parameterize.hpp>
 
 using namespace isostretch;
 
 int main() {
-  const auto cap = mesh::procedural_face(8);
-  auto rest = mesh::flat_elements(cap);
-  mesh::scale_to_total_weight(rest, 1.0);
-  const auto start = parameterization::flip_free_start(cap, rest);
-  EXPECT(start.ok());
-  EXPECT(start.method == parameterization::StartMethod::uniform);
-
-  std::vector<mesh::Points2> charts{start.uv, start.uv};
-  const auto packing = parameterization::pack(charts, {cap.triangles, cap.triangles});
-  EXPECT(packing.coverage > 0.2);
-  for (const auto& chart : charts) {
-    EXPECT(chart.minCoeff() > 0 && chart.maxCoeff() < 1);
-    EXPECT(mesh::count_flipped(chart, cap.triangles) == 0);
-  }
+  // snippet: libs/parameterization/README.md
+  const mesh::SurfaceMesh model = mesh::icosphere(4);  // or mesh::read_surface("model.obj")
+  parameterization::Options options;
+  options.newton.time_limit = 60;
+  const auto atlas =
+      parameterization::parameterize(model, energies::make_energy("symmetric_dirichlet"), options);
+  const mesh::SurfaceMesh textured = atlas.textured();  // the same triangles, uv in the unit square
+  // end of snippet
+  EXPECT(atlas.succeeded(options));
+  EXPECT(textured.triangles == model.triangles);
+  EXPECT(textured.uv.minCoeff() >= 0 && textured.uv.maxCoeff() <= 1);
 }

@@ -36,6 +36,9 @@ class EnergyAssembler {
     return static_cast<std::size_t>(element_count_) * static_cast<std::size_t>(points_);
   }
   const energies::AnyEnergy& energy() const { return energy_; }
+  /// Takes another energy from here on; elements and pattern stay. Throws Error when it does not exist in
+  /// their dimension.
+  void set_energy(energies::AnyEnergy energy);
 
   // Factor of all weights from here on, 1 at first. Throws Error unless it is positive and finite.
   void set_scale(double scale);

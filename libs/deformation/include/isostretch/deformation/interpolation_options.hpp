@@ -12,10 +12,11 @@ enum class Continuation {
 
 /// Returns the options of newton that suit frames between two shapes.
 ///
-/// Frames end as soon as a full step gains less than a millionth of the energy: what is left then is far below
-/// what can be seen, and to prove more takes a factorization that moves nothing. One or two factorizations a
-/// frame do not repay the time for nested dissection; and since starts are good nearly everywhere, the Hessian
-/// is filtered only where they are not, which takes fewer of them than other projections.
+/// Frames end as soon as a full step gains less than a millionth of the energy: what is left then is far
+/// below what can be seen, and to prove more takes a factorization that moves nothing. One or two
+/// factorizations a frame do not repay the time for nested dissection; and since starts are good nearly
+/// everywhere, the Hessian is filtered only where they are not, which takes fewer of them than other
+/// projections.
 inline newton::Options frame_solver() {
   newton::Options options;
   options.relative_energy_tolerance = 1e-6;

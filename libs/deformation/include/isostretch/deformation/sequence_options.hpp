@@ -27,7 +27,7 @@ struct SequenceOptions {
   std::vector<RegionSpec> regions = {};  ///< the first that has an element keeps it
   HandleScript script = {};
   InitialGuess guess = InitialGuess::biharmonic;
-  newton::Options newton = {};           ///< of a frame; its time_limit is that of all frames together
+  newton::Options newton = {};  ///< of a frame; its time_limit is that of all frames together
 };
 
 }  // namespace isostretch::deformation

@@ -31,6 +31,8 @@ class Objective {
   }
   /// Throws Error where the term says that it does not fit (Term::require_fits).
   void add_term(std::unique_ptr<Term> term);
+  /// Takes a term out and destroys it. Throws Error when it is none of the objective's.
+  void remove(const Term& term);
   bool has_terms() const { return !terms_.empty(); }
 
   // Throws Error when the node (or axis) is out of range.
@@ -65,6 +67,10 @@ class Objective {
   /// differentiate(), and -1 if none of the terms knows of one.
   int element_not_finite() const;
   const sparse::SymmetricMatrix& zero_matrix();
+
+  /// Tells all terms that a solve begins at x, or that a step has led there (Term::begin_solve, accepted).
+  void begin_solve(const Vector& x);
+  void accepted(const Vector& x);
 
   // A gradient over the unknowns, and a direction over all degrees of freedom (zero at pinned ones).
   void restrict(const Vector& gradient, Vector& reduced);

@@ -5,6 +5,7 @@
 #include <isostretch/core/vector.hpp>
 #include <isostretch/projection/filter.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace isostretch::newton {
@@ -20,6 +21,14 @@ class Term {
   /// Throws Error unless the term is one of positions of so many nodes in this dimension. An objective asks
   /// when the term is added to it. Everything fits unless overridden.
   virtual void require_fits(int dim, int node_count) const;
+
+  /// Is told that a solve begins at x, before anything is evaluated there: for state that lasts for a solve,
+  /// such as friction that lags behind. Does nothing unless overridden.
+  virtual void begin_solve(const Vector& x);
+  /// Is told that a step has led to x, which lies in the domain and has a lower energy: for state that
+  /// follows the iterates. What the term is worth must not change by it during the solve. Does nothing unless
+  /// overridden.
+  virtual void accepted(const Vector& x);
 
   // Pairs of nodes that the Hessian couples, and the pattern made of all terms' pairs (which outlives the
   // term's use).
@@ -50,6 +59,9 @@ class EnergyTerm final : public Term {
 
   // 1 at first. A term of scale 0 is left out, with its domain. Throws Error when negative or not finite.
   void set_scale(double scale);
+  /// Takes another energy from the next solve on; pattern and analysis of a Solver stay. Throws Error when it
+  /// does not exist in the dimension of the elements.
+  void set_energy(energies::AnyEnergy energy) { assembler_.set_energy(std::move(energy)); }
 
   void require_fits(int dim, int node_count) const override;
   void add_to(assembly::PatternBuilder& builder) const override;
