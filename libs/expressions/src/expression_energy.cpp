@@ -176,7 +176,7 @@ void ExpressionEnergy::replace_psi_near_rest(int dim, const energies::StretchChu
   const Programs& programs = *programs_[dim - 2];
   const Near near = programs.psi_near_rest ? near_rest(dim, chunk) : Near::none;
   if (near == Near::none) return;
-  const Kernel kernel = active_expression_kernels().psi;
+  Kernel kernel = active_expression_kernels().psi;
   if (near == Near::all) return run(*programs.psi_near_rest, kernel, dim, determinant_bound_, chunk);
   thread_local std::vector<double> psi;
   psi.resize(static_cast<std::size_t>(chunk.count));
