@@ -15,7 +15,4 @@ std::vector<double> deformation_gradients(const assembly::Elements& elements, co
 // S = sym(R^T F) from these, in the same layout.
 std::vector<double> constraint_matrices(const sdp_penalty::Problem& problem, const std::vector<double>& F);
 
-// Of every element.
-std::vector<double> determinants(const assembly::Elements& elements, const Vector& x);
-
 }  // namespace isostretch::baselines

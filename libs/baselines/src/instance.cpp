@@ -1,6 +1,4 @@
-
-#include "deformation.hpp"
-
+#include <isostretch/assembly/deformation_operator.hpp>
 #include <isostretch/baselines/instance.hpp>
 #include <isostretch/core/error.hpp>
 
@@ -14,7 +12,7 @@ void Instance::validate() const {
     throw Error("instance: rest has " + std::to_string(rest.size()) + " entries, must have " +
                 std::to_string(dim() * problem.node_count()));
   if (!rest.allFinite()) throw Error("instance: a position at rest is not finite");
-  const std::vector<double> det = determinants(problem.elements, rest);
+  const std::vector<double> det = assembly::determinants(problem.elements, rest.data());
   for (std::size_t e = 0; e < det.size(); ++e)
     if (!(det[e] > 0)) throw Error("instance: element " + std::to_string(e) + " is inverted or flat at rest");
 }

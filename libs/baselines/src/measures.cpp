@@ -1,6 +1,6 @@
-
 #include "deformation.hpp"
 
+#include <isostretch/assembly/deformation_operator.hpp>
 #include <isostretch/baselines/measures.hpp>
 #include <isostretch/linalg/decompositions.hpp>
 #include <isostretch/sdp_penalty/relinearize.hpp>
@@ -75,7 +75,7 @@ Measures measure(const sdp_penalty::Problem& problem, const Vector& x) {
   const std::vector<double> F = deformation_gradients(problem.elements, x);
   measure_constraint(problem, F, measures);
   measures.distortion = distortion(problem, x, F);
-  const std::vector<double> det = determinants(problem.elements, x);
+  const std::vector<double> det = assembly::determinants(problem.elements, x.data());
   measures.min_determinant = *std::min_element(det.begin(), det.end());
   measures.inverted =
       static_cast<int>(std::count_if(det.begin(), det.end(), [](double d) { return !(d > 0); }));

@@ -1,47 +1,15 @@
 #include "nearest_matrix_term.hpp"
 
-#include <array>
+#include <isostretch/sdp_penalty/element.hpp>
+
 #include <cstddef>
 
 namespace isostretch::baselines {
-namespace {
 
-using Matrix = std::array<std::array<double, 3>, 3>;
-
-}  // namespace
-
-// One element's share of the arrays.
-struct NearestMatrixTerm::Element {
-  Element(const sdp_penalty::Problem& problem, std::size_t e)
-      : dim(static_cast<std::size_t>(problem.dim())),
-        nodes(problem.elements.nodes.data() + e * (dim + 1)),
-        gradients(problem.elements.gradients.data() + e * (dim + 1) * dim),
-        R(problem.rotations.data() + e * dim * dim) {}
-
-  Matrix deformation_gradient(const Vector& x) const {
-    Matrix F{};
-    for (std::size_t a = 0; a <= dim; ++a)
-      for (std::size_t r = 0; r < dim; ++r)
-        for (std::size_t c = 0; c < dim; ++c) F[r][c] += x[dof(a, r)] * gradients[a * dim + c];
-    return F;
-  }
-  Eigen::Index dof(std::size_t a, std::size_t r) const {
-    return static_cast<Eigen::Index>(dim) * nodes[a] + static_cast<Eigen::Index>(r);
-  }
-  // Entry r of the gradient of tr(R^T F) by the position of corner a.
-  double trace_gradient(std::size_t a, std::size_t r) const {
-    double sum = 0;
-    for (std::size_t c = 0; c < dim; ++c) sum += R[r + dim * c] * gradients[a * dim + c];
-    return sum;
-  }
-
-  std::size_t dim;
-  const int* nodes;
-  const double *gradients, *R;
-};
+using linalg::Mat;
 
 NearestMatrixTerm::NearestMatrixTerm(const sdp_penalty::Problem& problem)
-    : problem_(problem), matrices_(problem.rotations) {}
+    : problem_(problem), restriction_(problem.elements), matrices_(problem.rotations) {}
 
 void NearestMatrixTerm::require_fits(int dim, int node_count) const {
   newton::require_fitting("a term of nearest matrices", problem_.dim(), problem_.node_count(), dim,
@@ -49,72 +17,58 @@ void NearestMatrixTerm::require_fits(int dim, int node_count) const {
 }
 
 void NearestMatrixTerm::add_to(assembly::PatternBuilder& builder) const {
-  const int corners = problem_.elements.nodes_per_element;
-  for (int e = 0; e < problem_.element_count(); ++e)
-    builder.add_clique(problem_.elements.nodes.data() + static_cast<std::ptrdiff_t>(e) * corners, corners);
+  restriction_.add_to(builder);
 }
 
+void NearestMatrixTerm::bind(const assembly::HessianPattern& pattern) {
+  blocks_ = assembly::BlockAssembler(restriction_, pattern);
+}
+
+template <int D>
 double NearestMatrixTerm::accumulate(const Vector& x, Vector* gradient) const {
+  const auto deformation = sdp_penalty::deformation<D>(problem_);
+  const double kappa = problem_.incompressibility;
+  std::vector<double> corners(gradient ? restriction_.nodes().size() * D : 0);
   double sum = 0;
   for (std::size_t e = 0; e < problem_.weights.size(); ++e) {
-    const Element element(problem_, e);
-    const std::size_t dim = element.dim;
-    const double w = problem_.weights[e], *M = matrices_.data() + e * dim * dim;
-    Matrix P = element.deformation_gradient(x);
-    double trace = -static_cast<double>(dim);
-    for (std::size_t r = 0; r < dim; ++r)
-      for (std::size_t c = 0; c < dim; ++c) {
-        trace += element.R[r + dim * c] * P[r][c];
-        P[r][c] -= M[r + dim * c];
-        sum += w * P[r][c] * P[r][c];
-      }
-    const double kappa = problem_.incompressibility;
-    sum += 0.5 * kappa * trace * trace;
+    const Mat<D> R = sdp_penalty::rotation<D>(problem_, e), F = deformation.apply(e, x.data());
+    Mat<D> P = linalg::from_columns<D>(matrices_.data() + e * D * D);
+    P *= -1.0;
+    P += F;
+    const double trace = inner_product(R, F) - D, w = problem_.weights[e];
+    sum += w * inner_product(P, P) + 0.5 * kappa * trace * trace;
     if (!gradient) continue;
-    for (std::size_t a = 0; a <= dim; ++a)
-      for (std::size_t r = 0; r < dim; ++r) {
-        double& entry = (*gradient)[element.dof(a, r)];
-        entry += kappa * trace * element.trace_gradient(a, r);
-        for (std::size_t c = 0; c < dim; ++c) entry += 2 * w * P[r][c] * element.gradients[a * dim + c];
-      }
+    for (int r = 0; r < D; ++r)
+      for (int c = 0; c < D; ++c) P[r][c] = 2 * w * P[r][c] + kappa * trace * R[r][c];
+    double* out = corners.data() + e * (D + 1) * D;
+    deformation.apply_transposed(e, P, [&](int a, int r, double value) { out[a * D + r] = value; });
   }
+  if (gradient) restriction_.add_transposed(D, corners.data(), gradient->data());
   return sum;
 }
 
 newton::Evaluation NearestMatrixTerm::value(const Vector& x) {
   newton::Evaluation result;
-  result.value = accumulate(x, nullptr);
+  result.value = problem_.dim() == 2 ? accumulate<2>(x, nullptr) : accumulate<3>(x, nullptr);
   return result;
 }
 
 newton::Evaluation NearestMatrixTerm::differentiate(const Vector& x, const projection::FilterOptions&,
                                                     Vector& gradient, bool) {
   newton::Evaluation result;
-  result.value = accumulate(x, &gradient);
+  result.value = problem_.dim() == 2 ? accumulate<2>(x, &gradient) : accumulate<3>(x, &gradient);
   return result;
 }
 
 void NearestMatrixTerm::add_hessian(double* values) const {
-  for (std::size_t e = 0; e < problem_.weights.size(); ++e) {
-    const Element element(problem_, e);
-    const std::size_t dim = element.dim;
-    for (std::size_t a = 0; a <= dim; ++a)
-      for (std::size_t b = 0; b <= dim; ++b) {
-        if (element.nodes[a] < element.nodes[b]) continue;
-        double dot = 0;
-        for (std::size_t c = 0; c < dim; ++c)
-          dot += element.gradients[a * dim + c] * element.gradients[b * dim + c];
-        const int* positions = pattern_->positions(pattern_->block(element.nodes[a], element.nodes[b]));
-        for (std::size_t r = 0; r < dim; ++r)
-          for (std::size_t c = 0; c < dim; ++c) {
-            const int position = positions[r * dim + c];
-            if (position < 0) continue;
-            values[position] +=
-                (r == c ? 2 * problem_.weights[e] * dot : 0.0) +
-                problem_.incompressibility * element.trace_gradient(a, r) * element.trace_gradient(b, c);
-          }
-      }
-  }
+  const auto add = [&]<int D>() {
+    blocks_.add_computed<D, D + 1>(
+        [&](std::size_t e, int a, int b, Mat<D>& sum) {
+          sdp_penalty::add_elastic_block<D>(problem_, e, a, b, sum);
+        },
+        values);
+  };
+  problem_.dim() == 2 ? add.operator()<2>() : add.operator()<3>();
 }
 
 }  // namespace isostretch::baselines

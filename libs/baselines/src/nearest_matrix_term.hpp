@@ -1,6 +1,8 @@
 #pragma once
 
+#include <isostretch/assembly/block_assembler.hpp>
 #include <isostretch/assembly/hessian_pattern.hpp>
+#include <isostretch/assembly/restriction.hpp>
 #include <isostretch/newton/term.hpp>
 #include <isostretch/sdp_penalty/problem.hpp>
 
@@ -20,19 +22,20 @@ class NearestMatrixTerm final : public newton::Term {
 
   void require_fits(int dim, int node_count) const override;
   void add_to(assembly::PatternBuilder& builder) const override;
-  void bind(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
+  void bind(const assembly::HessianPattern& pattern) override;
   newton::Evaluation value(const Vector& x) override;
   newton::Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
                                    bool hessian) override;
   void add_hessian(double* values) const override;
 
  private:
-  struct Element;
+  template <int D>
   double accumulate(const Vector& x, Vector* gradient) const;
 
   const sdp_penalty::Problem& problem_;
+  assembly::Restriction restriction_;
+  assembly::BlockAssembler blocks_;
   std::vector<double> matrices_;
-  const assembly::HessianPattern* pattern_ = nullptr;
 };
 
 }  // namespace isostretch::baselines

@@ -1,4 +1,3 @@
-
 #include <isostretch/baselines/process.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/timer.hpp>

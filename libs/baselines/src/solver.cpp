@@ -1,4 +1,3 @@
-
 #include "registry.hpp"
 
 #include <isostretch/baselines/solver.hpp>

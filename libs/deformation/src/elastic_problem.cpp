@@ -1,4 +1,3 @@
-
 #include <isostretch/core/error.hpp>
 #include <isostretch/deformation/elastic_problem.hpp>
 #include <isostretch/handles/elements.hpp>

@@ -1,4 +1,3 @@
-
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/timer.hpp>
 #include <isostretch/deformation/element_rotations.hpp>

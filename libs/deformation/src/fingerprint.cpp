@@ -1,4 +1,3 @@
-
 #include <isostretch/core/text.hpp>
 #include <isostretch/deformation/fingerprint.hpp>
 

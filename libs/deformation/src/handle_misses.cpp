@@ -1,4 +1,3 @@
-
 #include <isostretch/core/text.hpp>
 #include <isostretch/deformation/handle_misses.hpp>
 

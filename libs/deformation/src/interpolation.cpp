@@ -1,4 +1,3 @@
-
 #include <isostretch/core/log.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>

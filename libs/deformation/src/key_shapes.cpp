@@ -1,4 +1,3 @@
-
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/deformation/key_shapes.hpp>

@@ -1,4 +1,3 @@
-
 #include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/text.hpp>

@@ -1,4 +1,3 @@
-
 #include <isostretch/deformation/rigid_placement.hpp>
 #include <isostretch/handles/elements.hpp>
 

@@ -1,4 +1,3 @@
-
 #include <isostretch/core/error.hpp>
 #include <isostretch/deformation/shape_energy.hpp>
 

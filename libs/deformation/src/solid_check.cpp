@@ -1,4 +1,3 @@
-
 #include <isostretch/assembly/elements.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/text.hpp>

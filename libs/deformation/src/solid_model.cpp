@@ -1,5 +1,4 @@
 
-
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/log.hpp>
 #include <isostretch/core/text.hpp>

@@ -34,7 +34,8 @@ TEST_CASE("parameterize: a closed surface becomes charts in the unit square, no 
   CHECK(textured.vertices == model.vertices);
   CHECK(textured.triangles == model.triangles);
   CHECK(mesh::count_flipped(textured.uv, textured.uv_triangles) == 0);
-  for (const char* phase : {"domain", "start", "solve", "overlap", "layout"}) CHECK(result.times.seconds(phase) > 0);
+  for (const char* phase : {"domain", "start", "solve", "overlap", "layout"})
+    CHECK(result.times.seconds(phase) > 0);
 }
 
 TEST_CASE("parameterize: progress is shown, and a request to stop leaves the best layout so far") {

@@ -1,6 +1,5 @@
-#include "element.hpp"
-
 #include <isostretch/assembly/least_parallel.hpp>
+#include <isostretch/sdp_penalty/element.hpp>
 #include <isostretch/sdp_penalty/problem.hpp>
 
 #include <vector>
@@ -14,7 +13,7 @@ double elastic_energy(const Problem& problem, const Vector& x) {
   std::vector<double> values(count);
 #pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
   for (std::size_t e = 0; e < count; ++e) {
-    Mat<D> G = unrotated<D>(problem, e, x);  // |F - R| = |R^T F - I|
+    linalg::Mat<D> G = unrotated<D>(problem, e, x);  // |F - R| = |R^T F - I|
     double trace = -D;
     for (int i = 0; i < D; ++i) {
       trace += G[i][i];

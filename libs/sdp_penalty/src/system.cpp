@@ -1,8 +1,7 @@
 #include "system.hpp"
 
-#include "element.hpp"
-
 #include <isostretch/assembly/least_parallel.hpp>
+#include <isostretch/sdp_penalty/element.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,8 @@
 
 namespace isostretch::sdp_penalty {
 namespace {
+
+using linalg::Mat;
 
 std::size_t size(int n) {
   return static_cast<std::size_t>(n);
@@ -58,28 +59,12 @@ void System::bind(const Problem& problem) {
       dim_, [&] { assemble_quadratic<2>(); }, [&] { assemble_quadratic<3>(); });
 }
 
-// 2 w |F|^2 / 2, the trace term, and 2 alpha at soft targets.
+// The elastic term, and 2 alpha at soft targets.
 template <int D>
 void System::assemble_quadratic() {
-  const double kappa = problem_->incompressibility;
   std::fill(quadratic_.value.begin(), quadratic_.value.end(), 0.0);
   blocks_.add_computed<D, D + 1>(
-      [&](std::size_t e, int a, int b, Mat<D>& sum) {
-        const double* g = rest_gradients<D>(*problem_, e);
-        const Mat<D> R = rotation<D>(*problem_, e);
-        double dot = 0;
-        for (int c = 0; c < D; ++c) dot += g[a * D + c] * g[b * D + c];
-        for (int r = 0; r < D; ++r) sum[r][r] += 2 * problem_->weights[e] * dot;
-        if (kappa == 0) return;
-        std::array<double, D> Ra{}, Rb{};  // gradients of tr(R^T F)
-        for (int r = 0; r < D; ++r)
-          for (int c = 0; c < D; ++c) {
-            Ra[size(r)] += R[r][c] * g[a * D + c];
-            Rb[size(r)] += R[r][c] * g[b * D + c];
-          }
-        for (int r = 0; r < D; ++r)
-          for (int c = 0; c < D; ++c) sum[r][c] += kappa * Ra[size(r)] * Rb[size(c)];
-      },
+      [&](std::size_t e, int a, int b, Mat<D>& sum) { add_elastic_block<D>(*problem_, e, a, b, sum); },
       quadratic_.value.data());
   for (const Target& target : problem_->targets) {
     if (target.hard) continue;

@@ -1,8 +1,9 @@
 #include "block_csr.hpp"
 
+#include <isostretch/linalg/cholesky.hpp>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace isostretch::sparse {
 namespace {
@@ -177,27 +178,14 @@ BlockCsr<float> to_float(const BlockCsr<double>& A, double factor) {
 }
 
 int cholesky(double* a, int n) {
-  for (int j = 0; j < n; ++j) {
-    double* column = a + j * n;
-    if (!(column[j] > 0)) return j;
-    const double pivot = std::sqrt(column[j]);
-    for (int i = j; i < n; ++i) column[i] /= pivot;
-    column[j] = pivot;
-    for (int k = j + 1; k < n; ++k)
-      for (int i = k; i < n; ++i) a[k * n + i] -= column[i] * column[k];
-  }
-  return -1;
+  return linalg::cholesky(n, [a, n](int i, int j) -> double& { return a[j * n + i]; });
 }
 
 void cholesky_solve(const double* a, int n, double* z) {
-  for (int j = 0; j < n; ++j) {
-    z[j] /= a[j * n + j];
-    for (int i = j + 1; i < n; ++i) z[i] -= a[j * n + i] * z[j];
-  }
-  for (int j = n - 1; j >= 0; --j) {
-    for (int i = j + 1; i < n; ++i) z[j] -= a[j * n + i] * z[i];
-    z[j] /= a[j * n + j];
-  }
+  const auto factor = [a, n](int i, int j) { return a[j * n + i]; };
+  const auto solution = [z](int i) -> double& { return z[i]; };
+  linalg::solve_lower(n, factor, solution);
+  linalg::solve_lower_transposed(n, factor, solution);
 }
 
 int invert(double* a, int n) {

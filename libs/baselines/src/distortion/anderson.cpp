@@ -10,7 +10,8 @@
 // in the directions of their matrix that stand out of rounding.
 #include "local_global.hpp"
 #include "method_registry.hpp"
-#include "symmetric_eigen.hpp"
+
+#include <isostretch/linalg/symmetric_eigen_ql.hpp>
 
 #include <array>
 #include <cstddef>
@@ -69,7 +70,7 @@ class Anderson final : public FirstOrderMethod {
         normal[i * size + j] = normal[j * size + i] =
             differences_[i].residual.dot(differences_[j].residual) / (length[i] * length[j]);
     }
-    const SymmetricEigen<window> eigen(normal.data(), static_cast<int>(size));
+    const linalg::SymmetricEigenQl<window> eigen(normal.data(), static_cast<int>(size));
     // Nothing is combined of what is not finite.
     for (int k = 0; eigen.converged() && k < static_cast<int>(size); ++k) {
       if (eigen.value(k) <= rounding) continue;

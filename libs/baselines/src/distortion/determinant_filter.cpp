@@ -1,5 +1,7 @@
 #include "determinant_filter.hpp"
 
+#include <isostretch/assembly/deformation_operator.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,26 +12,6 @@ namespace {
 constexpr int sweeps = 20;
 constexpr double damping = 0.5;
 constexpr double settled = 1e-3;  // relative change of the residual
-
-template <int Dim>
-using Matrix = Eigen::Matrix<double, Dim, Dim, Eigen::DontAlign>;
-
-// d det F / dF.
-Matrix<2> cofactor(const Matrix<2>& F) {
-  Matrix<2> C;
-  C << F(1, 1), -F(1, 0), -F(0, 1), F(0, 0);
-  return C;
-}
-
-Matrix<3> cofactor(const Matrix<3>& F) {
-  Matrix<3> C;
-  for (int c = 0; c < 3; ++c)
-    for (int r = 0; r < 3; ++r) {
-      const int i = (r + 1) % 3, j = (r + 2) % 3, k = (c + 1) % 3, l = (c + 2) % 3;
-      C(r, c) = F(i, k) * F(j, l) - F(i, l) * F(j, k);
-    }
-  return C;
-}
 
 }  // namespace
 
@@ -52,27 +34,20 @@ const int* DeterminantFilter::nodes_of(std::size_t point) const {
 
 template <int Dim>
 void DeterminantFilter::linearize(const Vector& x) {
-  const std::size_t count = static_cast<std::size_t>(elements_.nodes_per_element);
-  using Coordinates = Eigen::Map<const Eigen::Matrix<double, Dim, 1>>;
+  const auto entries = static_cast<std::size_t>(elements_.nodes_per_element * Dim);
+  const assembly::DeformationOperator<Dim> deformation(elements_);
 #pragma omp parallel for schedule(static)
   for (std::size_t t = 0; t < determinants_.size(); ++t) {
+    const linalg::Mat<Dim> F = deformation.apply(t, x.data()), C = cofactor(F);
+    determinants_[t] = -bound_;
+    for (int r = 0; r < Dim; ++r) determinants_[t] += F[r][0] * C[r][0];
     const int* nodes = nodes_of(t);
-    const double* gradients = elements_.gradients.data() + t * count * Dim;
-    Matrix<Dim> F = Matrix<Dim>::Zero();
-    for (std::size_t a = 0; a < count; ++a)
-      F += Coordinates(x.data() + Dim * nodes[a]) * Coordinates(gradients + a * Dim).transpose();
-    const Matrix<Dim> C = cofactor(F);
-    determinants_[t] = F.col(0).dot(C.col(0)) - bound_;
-    Eigen::Map<Eigen::Matrix<double, Dim, Eigen::Dynamic>> row(rows_.data() + t * count * Dim, Dim,
-                                                               elements_.nodes_per_element);
-    for (std::size_t a = 0; a < count; ++a) {
-      const auto column = static_cast<Eigen::Index>(a);
-      if (pinned_[static_cast<std::size_t>(nodes[a])])
-        row.col(column).setZero();
-      else
-        row.col(column) = C * Coordinates(gradients + a * Dim);
-    }
-    squared_lengths_[t] = row.squaredNorm();
+    double* row = rows_.data() + t * entries;
+    squared_lengths_[t] = 0;
+    deformation.apply_transposed(t, C, [&](int a, int r, double value) {
+      row[Dim * a + r] = pinned_[static_cast<std::size_t>(nodes[a])] ? 0.0 : value;
+      squared_lengths_[t] += row[Dim * a + r] * row[Dim * a + r];
+    });
   }
 }
 

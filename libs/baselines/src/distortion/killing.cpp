@@ -27,7 +27,7 @@ void KillingTerm::model_elements(const Vector& x) {
     const int element = element_at(place);
     for (int p = 0; p < elements().points_per_element; ++p) {
       const std::size_t at = point(element, p);
-      const Eigen::Matrix<double, Dim, Dim> F = deformation_gradient<Dim>(x, element, at);
+      const Eigen::Matrix<double, Dim, Dim> F = deformation_gradient<Dim>(x, at);
       const Eigen::Matrix<double, Dim, Dim> back = F.inverse().transpose();
       const double weight = shear_ * elements().weights[at] * F.determinant();
       const auto g = rest_gradients<Dim>(at);

@@ -2,53 +2,26 @@
 
 #include "method_registry.hpp"
 
+#include <isostretch/assembly/deformation_operator.hpp>
 #include <isostretch/core/timer.hpp>
 #include <isostretch/linalg/decompositions.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 
 namespace isostretch::baselines {
 namespace {
 
+// Adds 2 w M g_a to the entries of every node a of a point's element.
 template <int Dim>
-using Matrix = std::array<double, std::size_t{Dim * Dim}>;  // column by column
-
-// What one quadrature point has of the arrays.
-template <int Dim>
-struct Point {
-  Point(const assembly::Elements& elements, std::size_t index)
-      : count(elements.nodes_per_element),
-        nodes(elements.nodes.data() + index / static_cast<std::size_t>(elements.points_per_element) *
-                                          static_cast<std::size_t>(count)),
-        gradients(elements.gradients.data() + index * static_cast<std::size_t>(count * Dim)),
-        weight(elements.weights[index]) {}
-
-  Matrix<Dim> deformation_gradient(const Vector& x) const {
-    Matrix<Dim> F{};
-    for (int a = 0; a < count; ++a)
-      for (int c = 0; c < Dim; ++c)
-        for (int r = 0; r < Dim; ++r)
-          F[static_cast<std::size_t>(c * Dim + r)] += x[Dim * nodes[a] + r] * gradients[a * Dim + c];
-    return F;
-  }
-
-  // Adds 2 w M g_a to the entries of every node a.
-  void scatter(const Matrix<Dim>& M, Vector& right) const {
-    for (int a = 0; a < count; ++a)
-      for (int c = 0; c < Dim; ++c)
-        for (int r = 0; r < Dim; ++r)
-          right[Dim * nodes[a] + r] +=
-              2 * weight * M[static_cast<std::size_t>(c * Dim + r)] * gradients[a * Dim + c];
-  }
-
-  int count;
-  const int* nodes;
-  const double* gradients;
-  double weight;
-};
+void scatter(const assembly::Elements& elements, std::size_t point, linalg::Mat<Dim> M, Vector& right) {
+  const assembly::DeformationOperator<Dim> deformation(elements);
+  const int* nodes = deformation.nodes(point);
+  M *= 2 * elements.weights[point];
+  deformation.apply_transposed(point, M,
+                               [&](int a, int r, double value) { right[Dim * nodes[a] + r] += value; });
+}
 
 class LocalGlobalMethod final : public FirstOrderMethod {
  public:
@@ -85,10 +58,8 @@ void LocalGlobal::local_step(const Vector& x) {
 #pragma omp parallel for schedule(static)
   for (std::size_t first = 0; first < points_; first += batch_size) {
     const std::size_t last = std::min(first + batch_size, points_);
-    for (std::size_t i = first; i < last; ++i) {
-      const Matrix<Dim> F = Point<Dim>(elements_, i).deformation_gradient(x);
-      for (std::size_t e = 0; e < F.size(); ++e) deformation_[e * points_ + i] = F[e];
-    }
+    assembly::deformation_gradients(elements_, x.data(), first, last - first, deformation_.data() + first,
+                                    points_);
     linalg::PolarBatch batch;
     batch.F = deformation_.data() + first;
     batch.R = rotations_.data() + first;
@@ -101,19 +72,19 @@ void LocalGlobal::local_step(const Vector& x) {
 template <int Dim>
 void LocalGlobal::add_rotations(Vector& right) const {
   for (std::size_t i = 0; i < points_; ++i) {
-    Matrix<Dim> R;
-    for (std::size_t e = 0; e < R.size(); ++e) R[e] = rotations_[e * points_ + i];
-    Point<Dim>(elements_, i).scatter(R, right);
+    linalg::Mat<Dim> R;
+    for (std::size_t c = 0; c < Dim; ++c)
+      for (std::size_t r = 0; r < Dim; ++r) R.m[r][c] = rotations_[(r + Dim * c) * points_ + i];
+    scatter(elements_, i, R, right);
   }
 }
 
 template <int Dim>
 void LocalGlobal::find_pull_of_pins() {
   pull_of_pins_.setZero(pins_alone_.size());
-  for (std::size_t i = 0; i < points_; ++i) {
-    const Point<Dim> point(elements_, i);
-    point.scatter(point.deformation_gradient(pins_alone_), pull_of_pins_);
-  }
+  const assembly::DeformationOperator<Dim> deformation(elements_);
+  for (std::size_t i = 0; i < points_; ++i)
+    scatter(elements_, i, deformation.apply(i, pins_alone_.data()), pull_of_pins_);
 }
 
 template <int Dim>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/assembly/deformation_operator.hpp>
 #include <isostretch/baselines/distortion.hpp>
 #include <isostretch/newton/term.hpp>
 
@@ -59,13 +60,9 @@ class ModelledEnergyTerm : public newton::Term {
     return {elements().gradients.data() + point * static_cast<std::size_t>(nodes() * Dim), Dim, nodes()};
   }
   template <int Dim>
-  Eigen::Matrix<double, Dim, Dim> deformation_gradient(const Vector& x, int element,
-                                                       std::size_t point) const {
-    const int* node = elements().nodes.data() + static_cast<std::ptrdiff_t>(element) * nodes();
-    const auto g = rest_gradients<Dim>(point);
-    Eigen::Matrix<double, Dim, Dim> F = Eigen::Matrix<double, Dim, Dim>::Zero();
-    for (int a = 0; a < nodes(); ++a) F += x.segment<Dim>(Dim * node[a]) * g.col(a).transpose();
-    return F;
+  Eigen::Matrix<double, Dim, Dim> deformation_gradient(const Vector& x, std::size_t point) const {
+    const linalg::Mat<Dim> F = assembly::DeformationOperator<Dim>(elements()).apply(point, x.data());
+    return Eigen::Map<const Eigen::Matrix<double, Dim, Dim, Eigen::RowMajor>>(F.m[0]);
   }
 
   // Calls body(a, b, block) for every block a <= b of an element's Hessian.

@@ -37,7 +37,7 @@ class PointProjection final : public ModelledEnergyTerm {
     std::array<double, packed * batch> H;
     for (int i = 0; i < count; ++i) {
       const int element = element_at(first + i);
-      const Eigen::Matrix<double, Dim, Dim> Fi = deformation_gradient<Dim>(x, element, point(element, p));
+      const Eigen::Matrix<double, Dim, Dim> Fi = deformation_gradient<Dim>(x, point(element, p));
       for (int e = 0; e < size; ++e) F[static_cast<std::size_t>(e * batch + i)] = Fi.data()[e];
     }
     projection::HessianBatch task;

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "symmetric_eigen.hpp"
-
 #include <isostretch/invariants/stretch.hpp>
+#include <isostretch/linalg/symmetric_eigen_ql.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -43,7 +42,7 @@ auto clamped(const Solver& eigen) {
 // The same of n x n numbers in place, by the iterative decomposition; not numbers if that fails.
 template <int Capacity>
 void clamp_to_semidefinite(double* A, int n) {
-  const SymmetricEigen<Capacity> eigen(A, n);
+  const linalg::SymmetricEigenQl<Capacity> eigen(A, n);
   std::fill(A, A + n * n, eigen.converged() ? 0.0 : std::numeric_limits<double>::quiet_NaN());
   if (!eigen.converged()) return;
   for (int k = 0; k < n; ++k) {

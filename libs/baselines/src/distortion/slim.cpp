@@ -88,7 +88,7 @@ void SlimTerm::model_elements(const Vector& x) {
     for (int p = 0; p < elements().points_per_element; ++p) {
       for (int i = 0; i < Batch<Dim>::size; ++i) {  // the last element again as padding
         const int element = element_at(first + std::min(i, count - 1));
-        batch.set(i, deformation_gradient<Dim>(x, element, point(element, p)));
+        batch.set(i, deformation_gradient<Dim>(x, point(element, p)));
       }
       batch.evaluate(energy());
       for (int i = 0; i < count; ++i) {

@@ -1,8 +1,8 @@
 #pragma once
 
 // Kernel template: eigen-decomposition of symmetric Dim x Dim matrices by cyclic Jacobi rotations, for a few
-// rows: 2, 3, 4 and 6 are compiled. Users want linalg/decompositions.hpp, and linalg/small_eigen.hpp for any
-// number of rows.
+// rows: 2, 3, 4 and 6 are compiled. Users want linalg/decompositions.hpp, and linalg/symmetric_eigen_ql.hpp
+// for any number of rows.
 //
 //   A = Q diag(lambda) Q^T,  Q a rotation,  lambda in no particular order.
 

@@ -1,23 +1,28 @@
 #pragma once
 
+#include <isostretch/core/pack.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace isostretch::baselines {
+namespace isostretch::linalg {
+inline namespace ISOSTRETCH_ISA {
 
-// Eigen-decomposition of a small symmetric matrix by iteration, as general codes do it: Householder's
-// reduction to tridiagonal form, then QL steps with Wilkinson's shift (Golub and Van Loan, 8.3).
-//
-// Why not the one of Eigen: its steps leave functions in the library whose code depends on the instruction
-// set, of which a program compiled for another may get the wrong copy. Here everything is plain arrays of at
-// most Capacity rows, on which this takes no longer. That of linalg is for 2 x 2 and 3 x 3 alone.
+/// The eigen-decomposition of one symmetric matrix of up to Capacity rows, by Householder's reduction to
+/// tridiagonal form and QL steps with Wilkinson's shift (Golub and Van Loan, 8.3): for sizes at which
+/// Jacobi's sweeps over all pairs of rows (symmetric_eigen.hpp) take longer, and sizes known only at run
+/// time.
+///
+/// Why not that of Eigen: its steps leave functions in the library whose code depends on the instruction set,
+/// of which a program compiled for another may get the wrong copy. Here everything is plain arrays, on which
+/// this takes no longer.
 template <int Capacity>
-class SymmetricEigen {
+class SymmetricEigenQl {
  public:
-  // A: n x n, all of it, with row i at A + i * n.
-  SymmetricEigen(const double* A, int n) : n_(n) {
+  /// Decomposes an n x n matrix given with all its entries, row i at A + i * n.
+  SymmetricEigenQl(const double* A, int n) : n_(n) {
     converged_ = std::all_of(A, A + n * n, [](double entry) { return std::isfinite(entry); });
     if (!converged_) return;
     copy_scaled(A);
@@ -29,9 +34,9 @@ class SymmetricEigen {
     for (int i = 0; i < n_; ++i) value_[i] *= scale_;
   }
 
-  // False: the matrix is not finite, or an eigenvalue was not found in 30 steps.
+  /// Returns false where the matrix is not finite, or an eigenvalue was not found in 30 steps.
   bool converged() const { return converged_; }
-  // In no order.
+  /// Returns eigenvalue i of n, in no order, and its eigenvector of unit length, n entries.
   double value(int i) const { return value_[i]; }
   const double* vector(int i) const { return vector_[i].data(); }
 
@@ -154,4 +159,5 @@ class SymmetricEigen {
   Row value_, off_, beta_;
 };
 
-}  // namespace isostretch::baselines
+}  // namespace ISOSTRETCH_ISA
+}  // namespace isostretch::linalg
