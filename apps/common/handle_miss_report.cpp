@@ -26,13 +26,13 @@ Json misses_json(const std::vector<HandleMiss>& misses) {
 std::string handle_table(const Json& handles, const Json& misses) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& handle : handles) {
-    rows.push_back({handle["name"], handle["kind"], number_text(handle.value("weight", Json()), "%.4g"),
-                    number_text(handle["nodes"], "%.0f")});
+    rows.push_back({handle["name"], handle["kind"], app::number(handle.value("weight", Json()), "%.4g"),
+                    app::number(handle["nodes"], "%.0f")});
     const auto miss = std::find_if(misses.begin(), misses.end(),
                                    [&](const Json& m) { return m["name"] == handle["name"]; });
     for (const char* key : {"size", "size_reached", "mean", "largest"})
-      rows.back().push_back(miss != misses.end() ? number_text((*miss)[key], "%.3g") : "–");
-    rows.back().push_back(miss != misses.end() ? number_text((*miss)["share_of_size"], "%.3f") : "–");
+      rows.back().push_back(miss != misses.end() ? app::number((*miss)[key], "%.3g") : "–");
+    rows.back().push_back(miss != misses.end() ? app::number((*miss)["share_of_size"], "%.3f") : "–");
   }
   return html::block("div",
                      html::table({{"handle"},

@@ -4,7 +4,7 @@
 
 namespace isostretch::app {
 
-std::string number_text(const Json& value, const char* pattern) {
+std::string number(const Json& value, const char* pattern) {
   return value.is_number() ? formatted(pattern, value.get<double>()) : std::string("–");
 }
 

@@ -13,6 +13,6 @@ namespace isostretch::app {
 namespace html = figures::html;
 
 /// Returns the number as the printf pattern says, and a dash for any other value.
-std::string number_text(const Json& value, const char* pattern);
+std::string number(const Json& value, const char* pattern);
 
 }  // namespace isostretch::app

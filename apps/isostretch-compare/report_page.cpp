@@ -15,7 +15,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-using html::number;
+using app::number;
 
 std::string number(double value, const char* pattern) {
   return std::isfinite(value) ? formatted(pattern, value) : "–";

@@ -9,7 +9,7 @@
 namespace isostretch::app::deform {
 namespace {
 
-using html::number;
+using app::number;
 
 std::string frame_table(const Json& frames) {
   std::vector<std::vector<std::string>> rows;

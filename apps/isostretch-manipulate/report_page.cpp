@@ -9,7 +9,7 @@
 namespace isostretch::app::manipulate {
 namespace {
 
-using html::number;
+using app::number;
 
 std::string number(const Json& frame, const char* key, const char* pattern) {
   return frame.contains(key) ? number(frame[key], pattern) : "–";

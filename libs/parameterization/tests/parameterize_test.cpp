@@ -78,7 +78,7 @@ TEST_CASE("parameterize: options that make no sense are refused by name") {
   CHECK(refused(options) == "margin");
   options = {};
   options.overlap = OverlapRule::split;
-  options.pack = Pack::none;
+  options.pack = parameterization::Pack::none;
   CHECK(refused(options) == "overlap");
   CHECK(refused({}).empty());
 }

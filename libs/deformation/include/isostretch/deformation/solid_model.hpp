@@ -62,11 +62,11 @@ struct Plane {
 };
 
 struct SolidSpec {
-  std::filesystem::path file;  // unless it is generated
-  std::optional<GeneratedSolid> generated;
+  std::filesystem::path file = {};  // unless it is generated
+  std::optional<GeneratedSolid> generated = {};
   int order = 1;       // 2: linear tets and triangles become quadratic, with straight edges
   int quadrature = 0;  // degree; 0: the shape's own
-  MeshRepair repair;
+  MeshRepair repair = {};
 };
 
 // What is deformed: solid elements in space, or flat ones in the plane (dim 2).
