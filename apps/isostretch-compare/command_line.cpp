@@ -12,7 +12,7 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
-#include <isostretch/core/utf8.hpp>
+#include <isostretch/figures/utf8.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -149,7 +149,8 @@ void CommandLine::add_problems(Json& scene) const {
   std::set<std::string> taken;
   for (const std::string& mesh : meshes_) {
     // Runs find their problems in a scene, which is JSON.
-    if (valid_utf8(mesh) != mesh) throw Error("a mesh's path must be UTF-8 here: " + valid_utf8(mesh));
+    if (figures::valid_utf8(mesh) != mesh)
+      throw Error("a mesh's path must be UTF-8 here: " + figures::valid_utf8(mesh));
     for (const std::string& energy : split_energies(energies_)) {
       const auto own = naming_option("--energy", [&] { return parameters_of(energy, parameters); });
       for (const auto& [name, value] : own) unused.erase(name);

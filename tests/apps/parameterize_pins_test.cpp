@@ -135,6 +135,6 @@ TEST_CASE("what is held stays where it is, whatever else is pinned or aligned") 
     CHECK((outcome.code == 2 || outcome.code == 3));
     CHECK(outcome.err.find(words) != std::string::npos);
   };
-  refuse({"--boundary", "circle", "--pin", std::to_string(loop[0]) + ":0,0"}, "that --boundary holds");
-  refuse({"--pack", "square", "--pin", "0:0,0"}, "--pack none");
+  refuse({"--boundary", "circle", "--pin", std::to_string(loop[0]) + ":0,0"}, "boundary that is held");
+  refuse({"--pack", "square", "--pin", "0:0,0"}, "pack none");
 }

@@ -1,4 +1,4 @@
-#include <isostretch/figures/cairo_surface.hpp>
+#include "cairo_surface.hpp"
 
 #include <png.h>
 

@@ -1,7 +1,7 @@
 
-#include <isostretch/core/utf8.hpp>
-#include <isostretch/figures/cairo_surface.hpp>
 #include <isostretch/figures/canvas.hpp>
+#include <isostretch/figures/utf8.hpp>
+#include "cairo_surface.hpp"
 
 #include <array>
 #include <cmath>

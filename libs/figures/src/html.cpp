@@ -1,8 +1,8 @@
 
 #include <isostretch/core/base64.hpp>
 #include <isostretch/core/text.hpp>
-#include <isostretch/core/utf8.hpp>
 #include <isostretch/figures/html.hpp>
+#include <isostretch/figures/utf8.hpp>
 
 #include <algorithm>
 #include <cctype>

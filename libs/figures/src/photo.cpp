@@ -1,6 +1,6 @@
 
-#include <isostretch/figures/cairo_surface.hpp>
 #include <isostretch/figures/photo.hpp>
+#include "cairo_surface.hpp"
 
 #include <algorithm>
 #include <cmath>

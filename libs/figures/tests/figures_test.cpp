@@ -2,10 +2,10 @@
 
 #include <isostretch/core/base64.hpp>
 #include <isostretch/core/text.hpp>
-#include <isostretch/core/utf8.hpp>
 #include <isostretch/figures/camera.hpp>
 #include <isostretch/figures/checkerboard.hpp>
 #include <isostretch/figures/model_view.hpp>
+#include <isostretch/figures/utf8.hpp>
 #include <isostretch/figures/visibility.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/surface/edges.hpp>

@@ -42,8 +42,7 @@ void cut_open(Domain& domain, const mesh::Report& report, const Options& options
 // have different uv at a vertex, the surface is cut there. Nothing has to be a disk.
 void open_along_input_uv(Domain& domain) {
   const mesh::SurfaceMesh& input = domain.input;
-  if (!input.has_uv())
-    throw OptionError("initial", "input: the model has no texture coordinates", ErrorKind::input);
+  if (!input.has_uv()) throw Error("the model has no texture coordinates to start from (initial input)");
   // In the order of the input's vertices, so that a model without seams keeps its numbering.
   using Place = std::tuple<int, double, double>;
   const auto place = [&](Eigen::Index t, int c) {

@@ -1,8 +1,8 @@
-#include <isostretch/core/utf8.hpp>
+#include <isostretch/figures/utf8.hpp>
 
 #include <nlohmann/json.hpp>
 
-namespace isostretch {
+namespace isostretch::figures {
 
 std::string valid_utf8(std::string_view text) {
   using nlohmann::json;
@@ -10,4 +10,4 @@ std::string valid_utf8(std::string_view text) {
   return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
 }
 
-}  // namespace isostretch
+}  // namespace isostretch::figures
