@@ -1,6 +1,7 @@
 // The linear maps between nodes, elements and matrix that assembly is made of, against dense algebra.
 #include <isostretch/assembly/block_assembler.hpp>
 #include <isostretch/assembly/deformation_operator.hpp>
+#include <isostretch/assembly/operators.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/fem/elements.hpp>
@@ -13,6 +14,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <utility>
@@ -193,4 +195,47 @@ TEST_CASE("a pattern without an element's pair of nodes is refused") {
   const Restriction restriction({0, 1, 2}, 3, 3);
   const assembly::HessianPattern pattern(assembly::FreeUnknowns(2, 3), assembly::PatternBuilder(3));
   CHECK_THROWS_WITH_AS(BlockAssembler(restriction, pattern), doctest::Contains("not coupled"), Error);
+}
+
+TEST_CASE("the Laplacian is the Dirichlet form of linear functions, and pinned nodes leave it") {
+  for (const Elements& elements : {assembly::elements_from(mesh::elements(bar())),
+                                   assembly::elements_from(mesh::elements(mesh::quadratic(bar())))}) {
+    const auto u = random_numbers(static_cast<std::size_t>(elements.node_count), 5);
+    double expected = 0;  // sum w |grad u|^2
+    const std::size_t k = static_cast<std::size_t>(elements.nodes_per_element);
+    for_every_point(elements, [&](std::size_t e, std::size_t point) {
+      Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+      for (std::size_t a = 0; a < k; ++a)
+        gradient += u[static_cast<std::size_t>(elements.nodes[e * k + a])] *
+                    Eigen::Map<const Eigen::Vector3d>(elements.gradients.data() + (point * k + a) * 3);
+      expected += elements.weights[point] * gradient.squaredNorm();
+    });
+    const sparse::SymmetricMatrix K = assembly::operators::laplacian(elements);
+    K.validate();
+    std::vector<double> Ku(u.size()), ones(u.size(), 1.0);
+    K.multiply(u.data(), Ku.data());
+    double form = 0;
+    for (std::size_t i = 0; i < u.size(); ++i) form += u[i] * Ku[i];
+    CHECK(form == doctest::Approx(expected).epsilon(1e-12));
+    K.multiply(ones.data(), Ku.data());  // constants have no gradient
+    for (const double entry : Ku) CHECK(std::abs(entry) < 1e-12 * K.value[0]);
+
+    std::vector<bool> pinned(u.size(), false);
+    pinned[0] = true;
+    const sparse::SymmetricMatrix free =
+        assembly::operators::laplacian(elements, assembly::FreeUnknowns(1, elements.node_count, pinned));
+    REQUIRE(free.size == K.size - 1);
+    const auto after_first = static_cast<std::ptrdiff_t>(K.column_start[1]);
+    CHECK(free.value == std::vector<double>(K.value.begin() + after_first, K.value.end()));
+  }
+}
+
+TEST_CASE("lumped masses are positive and add up to the volume") {
+  const Elements elements = assembly::elements_from(mesh::elements(mesh::quadratic(bar())));
+  double sum = 0;
+  for (const double mass : assembly::operators::lumped_mass(elements)) {
+    CHECK(mass > 0);
+    sum += mass;
+  }
+  CHECK(sum == doctest::Approx(1.5));
 }

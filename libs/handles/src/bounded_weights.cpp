@@ -2,6 +2,7 @@
 #include "free_system.hpp"
 #include "stiffness.hpp"
 
+#include <isostretch/assembly/operators.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/handles/bounded_weights.hpp>
@@ -112,7 +113,7 @@ HandleWeights bounded_biharmonic_weights(const assembly::Elements& elements,
   }
 
   const Rows stiffness = stiffness_rows(elements);
-  const Rows both = squared(stiffness, lumped_mass(elements));
+  const Rows both = squared(stiffness, assembly::operators::lumped_mass(elements));
   const FreeSystem free_system(stiffness, both, elements.dim, options.solver);
   const Relaxation relaxation(both);
   const WeightSystem system{relaxation, free_system};

@@ -1,5 +1,6 @@
 #include "stiffness.hpp"
 
+#include <isostretch/assembly/operators.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/handles/elements.hpp>
 #include <isostretch/handles/spread.hpp>
@@ -93,8 +94,9 @@ Spreader::Spreader(const assembly::Elements& elements, const std::vector<int>& g
   system_->roles = roles_of(elements, given);
   system_->number();
   const Rows stiffness = stiffness_rows(elements);
-  system_->operator_rows =
-      kind == SpreadKind::harmonic ? stiffness : squared(stiffness, lumped_mass(elements));
+  system_->operator_rows = kind == SpreadKind::harmonic
+                               ? stiffness
+                               : squared(stiffness, assembly::operators::lumped_mass(elements));
   system_->factorize(solver);
 }
 

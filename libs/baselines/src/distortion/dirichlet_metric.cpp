@@ -1,6 +1,6 @@
 #include "dirichlet_metric.hpp"
 
-#include <isostretch/energies/registry.hpp>
+#include <isostretch/assembly/operators.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,30 +13,10 @@ namespace {
 
 constexpr double relative_shift = 1e-10;
 
-// sum w |F|^2; the energy of that name has half of it.
-newton::Objective dirichlet_objective(const DistortionProblem& problem) {
-  newton::Objective objective(problem.elements.dim, problem.elements.node_count);
-  objective.add<newton::EnergyTerm>(problem.elements, energies::make_energy("dirichlet")).set_scale(2);
-  for (const int node : problem.pinned) objective.pin(node);
-  return objective;
-}
-
-// Where all axes of a node are unknowns together, entries between equal axes of a matrix in which others are
-// zero: those of the first axis.
-sparse::SymmetricMatrix first_axis(const sparse::SymmetricMatrix& all, int dim) {
-  sparse::SymmetricMatrix one;
-  one.size = all.size / dim;
-  one.column_start.push_back(0);
-  for (std::size_t j = 0; j < static_cast<std::size_t>(all.size); j += static_cast<std::size_t>(dim)) {
-    for (auto k = static_cast<std::size_t>(all.column_start[j]);
-         k < static_cast<std::size_t>(all.column_start[j + 1]); ++k) {
-      if (all.row[k] % dim != 0) continue;
-      one.row.push_back(all.row[k] / dim);
-      one.value.push_back(all.value[k]);
-    }
-    one.column_start.push_back(one.nonzeros());
-  }
-  return one;
+assembly::FreeUnknowns free_nodes(const DistortionProblem& problem) {
+  std::vector<bool> pinned(static_cast<std::size_t>(problem.elements.node_count), false);
+  for (const int node : problem.pinned) pinned[static_cast<std::size_t>(node)] = true;
+  return assembly::FreeUnknowns(1, problem.elements.node_count, pinned);
 }
 
 double& diagonal(sparse::SymmetricMatrix& matrix, int unknown) {
@@ -63,25 +43,14 @@ sparse::Options always_direct() {
 
 DirichletMetric::DirichletMetric(const DistortionProblem& problem)
     : dim_(problem.elements.dim), dofs_(dim_ * problem.elements.node_count) {
-  newton::Objective objective = dirichlet_objective(problem);
-  const assembly::FreeUnknowns& unknowns = objective.pattern().unknowns();
-  for (int i = 0; i < unknowns.size(); i += dim_) nodes_.push_back(unknowns.dof(i) / dim_);
+  const assembly::FreeUnknowns free = free_nodes(problem);
+  for (int i = 0; i < free.size(); ++i) nodes_.push_back(free.dof(i));
   if (nodes_.empty()) return;
-  fill(objective);
+  matrix_ = assembly::operators::laplacian(problem.elements, free);
+  for (double& value : matrix_.value) value *= 2;
   shift_diagonal();
   solver_ = sparse::make_solver(always_direct());
   solver_->analyze(matrix_);
-}
-
-void DirichletMetric::fill(newton::Objective& objective) {
-  projection::FilterOptions exact;
-  exact.filter = projection::Filter::none;
-  Vector gradient;
-  const Vector anywhere = Vector::Zero(dofs_);  // the Hessian is the same everywhere
-  objective.differentiate(anywhere, exact, gradient, true);
-  sparse::SymmetricMatrix all = objective.zero_matrix();
-  objective.hessian(all);
-  matrix_ = first_axis(all, dim_);
 }
 
 void DirichletMetric::shift_diagonal() {

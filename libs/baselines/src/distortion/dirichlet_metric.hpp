@@ -44,9 +44,8 @@ class DirichletMetric {
   const sparse::Solver* solver() const { return solver_.get(); }
 
  private:
-  void split(const Vector& x);              // to columns_, one an axis
-  void join(Vector& x) const;               // from results_
-  void fill(newton::Objective& objective);  // matrix_, of the objective's Hessian
+  void split(const Vector& x);  // to columns_, one an axis
+  void join(Vector& x) const;   // from results_
   void shift_diagonal();
 
   int dim_;
