@@ -73,7 +73,7 @@ std::size_t HessianPattern::block(int i, int j) const {
 
 void HessianPattern::build_matrix() {
   const int dim = unknowns_.dim();
-  const std::size_t entries = static_cast<std::size_t>(dim * dim);
+  const std::size_t entries = static_cast<std::size_t>(dim) * static_cast<std::size_t>(dim);
   positions_.assign(block_pairs_.size() * entries, -1);
   matrix_.size = unknowns_.size();
   matrix_.column_start.assign(1, 0);

@@ -68,6 +68,7 @@ class Compiler {
       if (uses[node] == 0) continue;
       const Operation& o = operations_[node];
       const Node all[] = {o.a, o.b, o.c};
+      // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): no operation has more operands than three
       for (int i = 0; i < operand_count(o.op); ++i) ++uses[all[i]];
     }
     return uses;

@@ -116,6 +116,7 @@ class Minimizer {
 
   // Of steps towards the target, halved again and again and set back to the bounds, the first that makes the
   // energy fall. False when there is none. The target is a copy, for w changes.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param)
   bool projected_step(const std::vector<double>& from, const std::vector<double> target) {
     std::vector<double> moved(w_.size(), 0.0);
     for (double share = 1; share > 1e-12; share /= 2) {

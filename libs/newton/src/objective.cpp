@@ -63,7 +63,8 @@ void Objective::pin(int node, int axis) {
   require_node(node);
   if (axis < 0 || axis >= dim_)
     throw Error("cannot pin axis " + std::to_string(axis) + " of node " + std::to_string(node));
-  pinned_[static_cast<std::size_t>(node * dim_ + axis)] = true;
+  pinned_[static_cast<std::size_t>(node) * static_cast<std::size_t>(dim_) + static_cast<std::size_t>(axis)] =
+      true;
   changed();
 }
 

@@ -42,7 +42,8 @@ class Workspace {
  private:
   static std::size_t tail_entries(int dim) {
     const int n = dim * dim, m = dim * (dim + 1);
-    return static_cast<std::size_t>(n + n + packed_entries(n) + n + 1 + m + packed_entries(m));
+    const int entries = n + n + packed_entries(n) + n + 1 + m + packed_entries(m);
+    return static_cast<std::size_t>(entries);
   }
 
   Arena memory_;

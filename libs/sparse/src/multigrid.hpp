@@ -31,7 +31,7 @@ class Multigrid final : public PreconditionerMethod {
   BlockCsr<double> coarsen(const BlockCsr<double>& A, const std::vector<double>& inverse,
                            NearNullspace& modes);
   bool factorize_dense(const BlockCsr<double>& A);
-  void cycle(std::size_t level);
+  void cycle(std::size_t at);
   void solve_dense(const std::vector<float>& right, std::vector<float>& x);
 
   int stale_iterations_;

@@ -13,10 +13,10 @@ enum class LogLevel { trace, debug, info, warning, error };
 
 using LogSink = std::function<void(LogLevel, std::string_view message)>;
 
-/// Sends messages of `least` and above to the sink, and returns the sink before. Libraries are silent until a
-/// sink is set; an empty sink silences them again. Safe to call from any thread, but meant for start-up:
-/// messages under way may still reach the old sink.
-LogSink set_log_sink(LogSink sink, LogLevel least = LogLevel::trace);
+/// Sends messages of `least` and above to the replacement, and returns the sink before. Libraries are silent
+/// until a sink is set; an empty sink silences them again. Safe to call from any thread, but meant for
+/// start-up: messages under way may still reach the old sink.
+LogSink set_log_sink(LogSink replacement, LogLevel least = LogLevel::trace);
 
 /// Returns whether a message of this level reaches anybody. Costs one relaxed atomic read.
 bool log_enabled(LogLevel level) noexcept;

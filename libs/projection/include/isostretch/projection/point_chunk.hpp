@@ -35,7 +35,8 @@ struct PointChunk {
 // Doubles that bind() needs.
 inline constexpr std::size_t point_chunk_doubles(int dim) {
   const int pairs = dim == 2 ? 1 : 3;
-  return static_cast<std::size_t>(chunk_size(dim) * (3 * dim * dim + dim + 1 + 2 * dim + 3 * pairs));
+  return static_cast<std::size_t>(chunk_size(dim)) *
+         static_cast<std::size_t>(3 * dim * dim + dim + 1 + 2 * dim + 3 * pairs);
 }
 
 // Lays a chunk out over memory of that many doubles.
