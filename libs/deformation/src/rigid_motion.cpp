@@ -7,6 +7,20 @@
 
 namespace isostretch::deformation {
 
+namespace {
+
+// Of fixed size: the decomposition of a dynamic one would take memory from the heap.
+template <int Dim>
+Rotation nearest_rotation(const Rotation& covariance) {
+  using Matrix = Eigen::Matrix<double, Dim, Dim>;
+  const Eigen::JacobiSVD<Matrix> svd(Matrix{covariance}, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Matrix u = svd.matrixU();
+  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(Dim - 1) *= -1;
+  return u * svd.matrixV().transpose();
+}
+
+}  // namespace
+
 Place centroid(const WeightedNodes& nodes, const Vector& positions, int dim) {
   Place sum = Place::Zero(dim);
   for (std::size_t i = 0; i < nodes.nodes.size(); ++i)
@@ -22,10 +36,7 @@ Rotation best_rotation(const WeightedNodes& nodes, const Vector& from, const Vec
     const Place b = to.segment(dim * nodes.nodes[i], dim) - to_centroid;
     covariance += nodes.weights[i] * b * a.transpose();
   }
-  const Eigen::JacobiSVD<Rotation> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Rotation u = svd.matrixU();
-  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(dim - 1) *= -1;
-  return u * svd.matrixV().transpose();
+  return dim == 2 ? nearest_rotation<2>(covariance) : nearest_rotation<3>(covariance);
 }
 
 Rotation share_of(const Rotation& rotation, double t) {
@@ -42,7 +53,8 @@ void move(const WeightedNodes& nodes, const Rotation& rotation, const Place& fro
   const Eigen::Index dim = from.size();
   for (const int node : nodes.nodes) {
     auto at = positions.segment(dim * node, dim);
-    const Place moved = rotation * (at - from) + to;
+    const Place arm = at - from;  // a product with the expression would take memory from the heap
+    const Place moved = rotation * arm + to;
     at = moved;
   }
 }

@@ -272,13 +272,14 @@ std::vector<int> recut(Domain& domain, std::vector<mesh::Edge> seams, mesh::Poin
   const mesh::Cut before = std::exchange(domain.cut, mesh::cut_to_disks(domain.input, cut));
   const mesh::Triangles& triangles = domain.open().triangles;
   mesh::Points2 carried = mesh::Points2::Zero(domain.open().vertices.rows(), 2);
-  Eigen::VectorXd corners = Eigen::VectorXd::Zero(carried.rows());
+  std::vector<double> corners(static_cast<std::size_t>(carried.rows()), 0.0);
   std::vector<int> part_of(domain.cut.charts.size(), -1);
   for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
     for (int c = 0; c < 3; ++c) {
       const int v = triangles(t, c);
       // The mean of equal rows is that row, to the bit.
-      carried.row(v) += (uv.row(before.mesh.triangles(t, c)) - carried.row(v)) / ++corners[v];
+      carried.row(v) +=
+          (uv.row(before.mesh.triangles(t, c)) - carried.row(v)) / ++corners[static_cast<std::size_t>(v)];
     }
     part_of[static_cast<std::size_t>(domain.cut.chart[static_cast<std::size_t>(t)])] =
         before.chart[static_cast<std::size_t>(t)];
