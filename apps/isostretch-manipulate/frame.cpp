@@ -14,13 +14,6 @@
 namespace isostretch::app::manipulate {
 namespace {
 
-// The limit of time is that of all frames together.
-Monitor monitor_for(const Options& options) {
-  Monitor monitor = terminal_monitor();
-  monitor.stop = monitor.stop.with_time_limit(options.time_limit);
-  return monitor;
-}
-
 // What a rival does not know of the row stays unknown.
 sdp_penalty::Iteration row_of(const baselines::Point& point) {
   sdp_penalty::Iteration row;
@@ -41,7 +34,7 @@ FrameSolver::FrameSolver(const Scene& scene, const deformation::SolidModel& body
                          const deformation::ElementRotations& rotations, const Options& options)
     : scene_(scene),
       options_(options),
-      monitor_(monitor_for(options)),
+      monitor_(terminal_monitor().with_time_limit(options.time_limit)),
       rest_(body.rest_positions()),
       manipulation_(scene, body, handle_set, rotations, monitor_) {}
 
@@ -55,12 +48,13 @@ FrameResult FrameSolver::solve(int frame) {
 FrameResult FrameSolver::solve_by_rival(int frame) {
   FrameResult result;
   result.frame = frame;
-  const ScopedTimer timer(result.seconds);
+  const Timer timer;
   try {
     run_rival(result);
   } catch (const Error& error) {
     result.trouble = error.what();
   }
+  result.seconds = timer.seconds();
   return result;
 }
 

@@ -200,7 +200,7 @@ class Job {
     std::string states, path;
     timed(seconds_.write, [&] {
       write_photos(result, folder);
-      folder.add("trace.csv", result.trace);
+      folder.add("trace.csv", to_csv(result.trace));
       if (scene_.format == FrameFormat::vtu)
         folder.add("manipulate.pvd", animation_text(files_of(result.frames)));
       if (options_.glb) add_glb(result, folder);

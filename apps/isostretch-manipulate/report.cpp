@@ -18,42 +18,6 @@
 namespace isostretch::app::manipulate {
 namespace {
 
-double relative_gap(const sdp_penalty::Iteration& row) {
-  return (row.energy - row.lower_bound) / std::max({std::abs(row.energy), std::abs(row.lower_bound), 1e-300});
-}
-
-constexpr const char* trace_head =
-    "frame,iteration,seconds,energy,lower_bound,gap,min_eigenvalue,complementarity,penalty_factor,step,"
-    "inverted,infeasible\n";
-constexpr const char* rival_head =
-    "frame,iteration,seconds,energy,min_eigenvalue,min_det_F,distortion,inverted,infeasible\n";
-
-std::string trace_rows(int frame, const sdp_penalty::Summary& summary) {
-  std::string text;
-  for (const sdp_penalty::Iteration& row : summary.trace) {
-    text.append(std::to_string(frame)).append(1, ',').append(std::to_string(row.iteration));
-    for (const double value : {row.seconds, row.energy, row.lower_bound, relative_gap(row),
-                               row.min_eigenvalue, row.complementarity, row.penalty_factor, row.step})
-      text.append(1, ',').append(to_text(value));
-    text.append(1, ',').append(std::to_string(row.inverted));
-    text.append(1, ',').append(std::to_string(row.infeasible)).append(1, '\n');
-  }
-  return text;
-}
-
-std::string rival_rows(int frame, const baselines::Result& rival) {
-  std::string text;
-  for (const baselines::Point& point : rival.trace) {
-    const baselines::Measures& m = point.measures;
-    text.append(std::to_string(frame)).append(1, ',').append(std::to_string(point.iteration));
-    for (const double value : {point.seconds, m.energy, m.min_eigenvalue, m.min_determinant, m.distortion})
-      text.append(1, ',').append(to_text(value));
-    text.append(1, ',').append(std::to_string(m.inverted));
-    text.append(1, ',').append(std::to_string(m.infeasible)).append(1, '\n');
-  }
-  return text;
-}
-
 Json rival_json(const std::string& name, const baselines::Result& r) {
   return {{"status", baselines::status_name(r.status)},
           {"certified", false},
@@ -214,9 +178,9 @@ void add_frame(Result& result, const FrameResult& frame, const Shape& before, co
     json["reached"] = false;
   }
   result.frames.push_back(std::move(json));
-  if (result.trace.empty()) result.trace = frame.rival ? rival_head : trace_head;
-  result.trace +=
-      frame.rival ? rival_rows(frame.frame, *frame.rival) : trace_rows(frame.frame, frame.summary);
+  Trace trace = frame.rival ? baselines::trace_table(*frame.rival) : sdp_penalty::trace_table(frame.summary);
+  trace.add_front_column("frame", frame.frame);
+  result.trace.append(trace);
 }
 
 void add_rest_frame(Result& result, const StrainField& strain, const std::string& file) {

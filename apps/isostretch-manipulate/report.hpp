@@ -41,7 +41,7 @@ struct Result {
   std::string message = {};     // why it was stopped
   int wanted = 0;               // frames
   Json frames = Json::array();  // an entry for each
-  std::string trace = {};       // trace.csv
+  Trace trace = {};             // trace.csv
   FrameResult last = {};        // the last frame that has positions
   std::vector<std::string> warnings = {};
 };

@@ -20,10 +20,6 @@ void PhaseTimes::add(std::string_view phase, double seconds) {
     found->second += seconds;
 }
 
-void PhaseTimes::append(const PhaseTimes& other) {
-  for (const auto& [phase, seconds] : other.phases_) add(phase, seconds);
-}
-
 double PhaseTimes::seconds(std::string_view phase) const {
   const auto found = find(phases_, phase);
   return found == phases_.end() ? 0 : found->second;

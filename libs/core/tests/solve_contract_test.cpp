@@ -73,12 +73,11 @@ TEST_CASE("Trace: tables grow by columns and rows, and their text reads back bit
 }
 
 TEST_CASE("PhaseTimes: phases keep their order and add up") {
-  PhaseTimes times, more;
+  PhaseTimes times;
   times.add("read", 1);
   times.add("solve", 2);
-  more.add("solve", 3);
-  more.add("write", 4);
-  times.append(more);
+  times.add("solve", 3);
+  times.add("write", 4);
   REQUIRE(times.phases().size() == 3);
   CHECK(times.phases()[1] == std::pair(std::string("solve"), 5.0));
   CHECK(times.seconds("write") == 4);
@@ -90,8 +89,6 @@ TEST_CASE("SolveStatus: every status has a name of its own") {
   for (int i = 0; i <= static_cast<int>(SolveStatus::failed); ++i)
     names.insert(solve_status_name(static_cast<SolveStatus>(i)));
   CHECK(names.size() == 1 + static_cast<std::size_t>(SolveStatus::failed));
-  CHECK(ended_early(SolveStatus::interrupted));
-  CHECK_FALSE(ended_early(SolveStatus::converged));
 }
 
 TEST_CASE("text: counts, names and numbers to be read") {

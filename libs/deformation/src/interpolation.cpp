@@ -1,22 +1,28 @@
+#include "frame_solver.hpp"
+
+#include <isostretch/core/error.hpp>
 #include <isostretch/core/log.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
 #include <isostretch/deformation/interpolation.hpp>
 #include <isostretch/newton/solver.hpp>
 
-#include <algorithm>
 #include <utility>
 
 namespace isostretch::deformation {
 
 namespace {
 
-// The limit of time is that of all frames together.
-newton::Options solver_options(const InterpolationOptions& options, const Monitor& monitor) {
-  newton::Options newton = options.newton;
-  newton.time_limit = 0;
-  newton.stop = monitor.stop;
-  return newton;
+const InterpolationOptions& checked(const InterpolationOptions& options) {
+  if (options.frames < 1) throw OptionError("frames", "must be 1 at least");
+  return options;
+}
+
+// Anything else would be read beyond its end, or not lead from shape to shape.
+const KeyShapes& checked(const KeyShapes& shapes, const energies::AnyEnergy& energy) {
+  require_pair(shapes, "the first shape", "the second shape");
+  require_least_at_rest(energy, shapes.first.dim);
+  return shapes;
 }
 
 }  // namespace
@@ -27,11 +33,11 @@ bool InterpolationFrame::complete() const {
 
 Interpolation::Interpolation(const InterpolationOptions& options, const KeyShapes& poses,
                              const energies::AnyEnergy& energy, const Monitor& monitor)
-    : options_(options),
-      monitor_{monitor.stop.with_time_limit(options.newton.time_limit), monitor.progress},
-      placement_(poses),
+    : options_(checked(options)),
+      monitor_(monitor.with_time_limit(options.newton.time_limit)),
+      placement_(checked(poses, energy)),
       energy_(poses, energy, placement_.loose_nodes()),
-      solver_(energy_.objective(), solver_options(options, monitor_)),
+      solver_(energy_.objective(), options_of_frame(options.newton, monitor_)),
       starts_(options.guess, placement_),
       before_(placement_.first()),
       diagonal_(poses.first.diagonal()) {}

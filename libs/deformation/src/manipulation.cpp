@@ -81,13 +81,14 @@ const sdp_penalty::Problem& Manipulation::prepare(ManipulationFrame& frame) {
 ManipulationFrame Manipulation::solve(int frame) {
   ManipulationFrame result;
   result.frame = frame;
-  const ScopedTimer timer(result.seconds);
+  const Timer timer;
   try {
     prepare(result);
     run(result);
   } catch (const Error& error) {
     result.trouble = error.what();
   }
+  result.seconds = timer.seconds();
   return result;
 }
 
@@ -127,7 +128,7 @@ void Manipulation::relinearize(ManipulationFrame& result) {
   if (result.summary.feasible())
     problem_.rotations = sdp_penalty::nearest_rotations(problem_.elements, result.positions);
   sdp_penalty::RelinearizeOptions options;
-  options.solve = solver_options(options_, monitor_);
+  options.solve = options_.solver;  // without the token: a round that is broken off may lose a feasible x
   options.max_rounds = options_.relinearize;
   sdp_penalty::RelinearizeSummary rounds = sdp_penalty::solve_relinearized(
       problem_, result.positions, options, [&](const sdp_penalty::RelinearizeRound& round, const Vector&) {

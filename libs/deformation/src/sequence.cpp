@@ -1,3 +1,5 @@
+#include "frame_solver.hpp"
+
 #include <isostretch/core/log.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
@@ -29,14 +31,6 @@ void append(newton::Summary& whole, newton::Summary part, bool first) {
   whole.gradient_inf_norm = part.gradient_inf_norm;
 }
 
-// The limit of time is that of all frames together.
-newton::Options solver_options(const SequenceOptions& options, const Monitor& monitor) {
-  newton::Options newton = options.newton;
-  newton.time_limit = 0;
-  newton.stop = monitor.stop;
-  return newton;
-}
-
 }  // namespace
 
 Stepper::Stepper(const SequenceOptions& options, const SolidModel& body, const HandleSet& handle_set,
@@ -45,8 +39,8 @@ Stepper::Stepper(const SequenceOptions& options, const SolidModel& body, const H
       body_(body),
       handle_set_(handle_set),
       problem_(problem),
-      monitor_{monitor.stop.with_time_limit(options.newton.time_limit), monitor.progress},
-      solver_(problem.objective(), solver_options(options, monitor_)),
+      monitor_(monitor.with_time_limit(options.newton.time_limit)),
+      solver_(problem.objective(), options_of_frame(options.newton, monitor_)),
       predictor_(options.guess, body, handle_set, std::move(warn)),
       strain_(body.elements) {}
 
@@ -121,7 +115,7 @@ std::string Stepper::overflow(const StrainField& strain) const {
 // In one place, for they refer to each other.
 struct Sequence::Parts {
   Parts(SequenceOptions given, SolidModel solid, const Monitor& monitor)
-      : options(std::move(given)),
+      : options(checked(std::move(given))),
         body(std::move(solid)),
         handle_set(options.script, body),
         problem(options, body, handle_set),
@@ -129,6 +123,11 @@ struct Sequence::Parts {
             options, body, handle_set, problem, [](const std::string& text) { log(LogLevel::warning, text); },
             monitor),
         positions(body.rest_positions()) {}
+
+  static SequenceOptions checked(SequenceOptions given) {
+    if (given.script.frames < 1) throw OptionError("frames", "must be 1 at least");
+    return given;
+  }
 
   SequenceOptions options;
   SolidModel body;

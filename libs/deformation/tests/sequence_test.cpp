@@ -92,6 +92,23 @@ TEST_CASE("Sequence: a handle without a vertex is refused by its path") {
   CHECK_THROWS_WITH_AS(Sequence(options_for(script), bar()), doctest::Contains("handles[1]"), Error);
 }
 
+TEST_CASE("Sequences without frames, and shapes that do not belong together, are refused") {
+  HandleScript script = twist(10, 1);
+  script.frames = 0;
+  CHECK_THROWS_WITH_AS(Sequence(options_for(script), bar()), "frames: must be 1 at least", OptionError);
+  const energies::AnyEnergy energy = energies::make_energy("symmetric_arap");
+  const KeyShapes same{bar(), bar()};
+  InterpolationOptions options;
+  options.frames = 0;
+  CHECK_THROWS_WITH_AS(Interpolation(options, same, energy), "frames: must be 1 at least", OptionError);
+  options.frames = 2;
+  const KeyShapes other{bar(), bar(mesh::Shape::hex)};
+  CHECK_THROWS_WITH_AS(Interpolation(options, other, energy), doctest::Contains("the second shape has hexes"),
+                       Error);
+  CHECK_THROWS_WITH_AS(Interpolation(options, same, energies::make_energy("dirichlet")),
+                       doctest::Contains("not at its minimum at rest"), Error);
+}
+
 TEST_CASE("Interpolation: begins and ends with the key shapes to the bit, without an inversion between") {
   const SolidModel first = bar();
   Sequence sequence(options_for(twist(90, 2)), first);

@@ -18,14 +18,7 @@ void require_count(Eigen::Index count, const char* what) {
 
 void require_writable(const SurfaceMesh& mesh) {
   require_count(mesh.triangles.rows(), "triangles");
-  require_finite(mesh.vertices, "vertex");
-  require_indices(mesh.triangles, mesh.vertices.rows(), "triangle");
-  if (!mesh.has_uv()) return;
-  if (mesh.uv_triangles.rows() != mesh.triangles.rows())
-    throw Error(std::to_string(mesh.uv_triangles.rows()) + " uv triangles for " +
-                std::to_string(mesh.triangles.rows()) + " triangles");
-  require_finite(mesh.uv, "uv point");
-  require_indices(mesh.uv_triangles, mesh.uv.rows(), "uv triangle");
+  require_consistent(mesh);
 }
 
 void require_writable(const TetMesh& mesh) {

@@ -12,24 +12,6 @@ int rank(const newton::Summary& summary) {
   return newton::failed(summary.status) ? 2 : summary.converged() ? 0 : 1;
 }
 
-void add(const newton::Seconds& run, newton::Seconds& sum) {
-  sum.total += run.total;
-  sum.setup += run.setup;
-  sum.assembly += run.assembly;
-  sum.factorization += run.factorization;
-  sum.solve += run.solve;
-  sum.line_search += run.line_search;
-}
-
-void add_counts(const newton::Summary& run, newton::Summary& sum) {
-  sum.iterations += run.iterations;
-  sum.factorizations += run.factorizations;
-  sum.failed_factorizations += run.failed_factorizations;
-  sum.energy_evaluations += run.energy_evaluations;
-  sum.factor_nonzeros = std::max(sum.factor_nonzeros, run.factor_nonzeros);
-  if (sum.solver.empty()) sum.solver = run.solver;
-}
-
 }  // namespace
 
 void combine_runs(const std::vector<Run>& runs, newton::Summary& summary, std::vector<int>& chart_of_row) {
@@ -64,8 +46,7 @@ void combine_runs(const std::vector<Run>& runs, newton::Summary& summary, std::v
       sum.trace.push_back(row);
       chart_of_row.push_back(run.chart);
     }
-    add(run.summary.seconds, sum.seconds);
-    add_counts(run.summary, sum);
+    sum.add_effort(run.summary);
   }
   for (const auto& [chart, end] : last)
     sum.gradient_inf_norm = std::max(sum.gradient_inf_norm, end->gradient_inf_norm);

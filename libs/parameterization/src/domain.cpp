@@ -1,15 +1,14 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/log.hpp>
 #include <isostretch/core/text.hpp>
+#include <isostretch/mesh/require.hpp>
 #include <isostretch/parameterization/domain.hpp>
 #include <isostretch/surface/check.hpp>
 #include <isostretch/surface/components.hpp>
 #include <isostretch/surface/seams.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -74,6 +73,8 @@ void open_along_input_uv(Domain& domain) {
 }  // namespace
 
 Domain make_domain(const mesh::SurfaceMesh& model, const Options& options) {
+  mesh::require_any(model.triangles, "triangle");  // readers make sure of this, others may not
+  mesh::require_consistent(model);
   Domain domain;
   domain.input = model;
   const mesh::Report report = mesh::check(domain.input, 1);

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -81,4 +82,36 @@ TEST_CASE("parameterize: options that make no sense are refused by name") {
   options.pack = parameterization::Pack::none;
   CHECK(refused(options) == "overlap");
   CHECK(refused({}).empty());
+}
+
+TEST_CASE("parameterize: meshes that no reader would let through are refused by vertex or triangle") {
+  const auto refused = [](const mesh::SurfaceMesh& model, const Options& options = {}) {
+    try {
+      parameterize(model, symmetric_dirichlet(), options);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(refused({}).find("there is no triangle") != std::string::npos);
+  mesh::SurfaceMesh model = mesh::grid(2, 2);
+  model.vertices(3, 1) = std::nan("");
+  CHECK(refused(model).find("vertex 3") != std::string::npos);
+  model = mesh::grid(2, 2);
+  model.triangles(5, 0) = 100;
+  CHECK(refused(model).find("triangle 5") != std::string::npos);
+  model = mesh::grid(2, 2);
+  model.vertices.row(4) = model.vertices.row(1);
+  CHECK(refused(model).find("triangle") != std::string::npos);  // of no area
+  model = mesh::grid(2, 2);
+  model.uv = model.vertices.leftCols<2>();
+  model.uv_triangles = model.triangles.topRows(2);
+  Options from_input;
+  from_input.initial = Initial::input;
+  CHECK(refused(model, from_input).find("2 uv triangles for 8") != std::string::npos);
+  model.uv_triangles = model.triangles;
+  model.uv(0, 0) = std::nan("");
+  CHECK(refused(model, from_input).find("uv point 0") != std::string::npos);
+  model.uv = model.vertices.leftCols<2>();
+  CHECK(refused(model, from_input).empty());
 }

@@ -12,8 +12,6 @@ class PhaseTimes {
  public:
   /// Adds seconds to a phase.
   void add(std::string_view phase, double seconds);
-  /// Adds those of another.
-  void append(const PhaseTimes& other);
   /// Returns the seconds of a phase; 0 for one that was never named.
   double seconds(std::string_view phase) const;
   const std::vector<std::pair<std::string, double>>& phases() const { return phases_; }

@@ -21,12 +21,6 @@ enum class SolveStatus {
 /// Returns the enumerator's own name.
 std::string_view solve_status_name(SolveStatus status) noexcept;
 
-/// Returns whether the method ended early, with positions that are the best so far and may be gone on from.
-constexpr bool ended_early(SolveStatus status) noexcept {
-  return status == SolveStatus::iteration_limit || status == SolveStatus::time_limit ||
-         status == SolveStatus::interrupted;
-}
-
 /// What a callback that sees every iteration wants of the method.
 enum class CallbackAction { proceed, stop };
 

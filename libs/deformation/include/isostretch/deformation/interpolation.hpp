@@ -29,6 +29,8 @@ struct InterpolationFrame {
 // Makes frames in their order.
 class Interpolation {
  public:
+  /// Throws Error unless both shapes belong together (require_pair) and the energy has its least value at
+  /// rest, and OptionError without frames.
   Interpolation(const InterpolationOptions& options, const KeyShapes& poses,
                 const energies::AnyEnergy& energy, const Monitor& monitor = {});
 

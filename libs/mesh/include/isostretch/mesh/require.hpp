@@ -56,4 +56,17 @@ void require_indices(const Elements& elements, Eigen::Index count, const char* w
                   std::to_string(count) + " points");
 }
 
+/// Throws Error naming the vertex or triangle unless coordinates are finite, indices in range, and texture
+/// coordinates, where there are any, one triangle for each of the surface.
+inline void require_consistent(const SurfaceMesh& mesh) {
+  require_finite(mesh.vertices, "vertex");
+  require_indices(mesh.triangles, mesh.vertices.rows(), "triangle");
+  if (!mesh.has_uv()) return;
+  if (mesh.uv_triangles.rows() != mesh.triangles.rows())
+    throw Error(std::to_string(mesh.uv_triangles.rows()) + " uv triangles for " +
+                std::to_string(mesh.triangles.rows()) + " triangles");
+  require_finite(mesh.uv, "uv point");
+  require_indices(mesh.uv_triangles, mesh.uv.rows(), "uv triangle");
+}
+
 }  // namespace isostretch::mesh
