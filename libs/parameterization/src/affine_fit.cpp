@@ -1,5 +1,7 @@
 #include "affine_fit.hpp"
 
+#include <isostretch/assembly/deformation_gradient.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,12 +13,11 @@ using Matrix2 = Eigen::Matrix<double, 2, 2, Eigen::DontAlign>;
 template <class Visit>
 void for_each_gradient(const mesh::ElementArrays& rest, const mesh::Points2& uv, const Visit& visit) {
   for (std::size_t t = 0; t < rest.weights.size(); ++t) {
-    Matrix2 F = Matrix2::Zero();
-    for (std::size_t c = 0; c < 3; ++c)
-      for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j)
-          F(i, j) +=
-              uv(rest.nodes[3 * t + c], i) * rest.gradients[6 * t + 2 * c + static_cast<std::size_t>(j)];
+    const auto gradient = assembly::deformation_gradient<2, double>(
+        3, [&](int c, int i) { return uv(rest.nodes[3 * t + static_cast<std::size_t>(c)], i); },
+        [&](int c, int j) { return rest.gradients[6 * t + static_cast<std::size_t>(2 * c + j)]; });
+    Matrix2 F;
+    F << gradient[0][0], gradient[0][1], gradient[1][0], gradient[1][1];
     visit(F, F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0), rest.weights[t]);
   }
 }
