@@ -1,8 +1,5 @@
 #pragma once
 
-#include "common/frames.hpp"
-
-#include <optional>
 #include <string>
 
 namespace CLI {
@@ -11,9 +8,8 @@ class App;
 
 namespace isostretch::app {
 
-/// --format, --glb and --no-picture: what apps write of a sequence of frames.
+/// --glb and --no-picture: what apps write of a sequence of frames.
 struct FrameFlags {
-  std::optional<std::string> format;  // one of frame_format_names
   bool glb = false;
   bool no_picture = false;
 };

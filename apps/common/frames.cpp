@@ -28,7 +28,7 @@ mesh::TetMesh tets_at(const SolidModel& body, const mesh::Points3& points) {
 }  // namespace
 
 std::string frame_name(int number, FrameFormat format) {
-  return formatted("frame_%04d.", number) + name_of(frame_format_names, format);
+  return formatted("frame_%04d.", number) + name_of(choice_names(format), format);
 }
 
 void require_holds(FrameFormat format, const SolidModel& body) {

@@ -12,8 +12,9 @@
 namespace isostretch::app {
 
 enum class FrameFormat { vtu, obj, msh };
-inline constexpr ChoiceNames<FrameFormat, 3> frame_format_names{
-    {{"vtu", FrameFormat::vtu}, {"obj", FrameFormat::obj}, {"msh", FrameFormat::msh}}};
+constexpr ChoiceNames<FrameFormat, 3> choice_names(FrameFormat) {
+  return {{{"vtu", FrameFormat::vtu}, {"obj", FrameFormat::obj}, {"msh", FrameFormat::msh}}};
+}
 
 struct CellField {
   std::string name;

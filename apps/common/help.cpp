@@ -1,6 +1,6 @@
 #include "common/help.hpp"
 
-#include "common/numbers.hpp"
+#include <isostretch/core/numbers.hpp>
 
 #include <algorithm>
 

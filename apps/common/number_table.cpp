@@ -1,6 +1,6 @@
 #include "common/number_table.hpp"
 
-#include "common/numbers.hpp"
+#include <isostretch/core/numbers.hpp>
 
 #include <algorithm>
 #include <limits>

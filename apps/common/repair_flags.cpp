@@ -1,6 +1,6 @@
 #include "common/repair_flags.hpp"
 
-#include "common/numbers.hpp"
+#include <isostretch/core/numbers.hpp>
 
 #include <isostretch/core/error.hpp>
 

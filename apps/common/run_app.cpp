@@ -11,11 +11,14 @@
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/version.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <memory>
 #include <new>
+#include <utility>
+#include <vector>
 
 namespace isostretch::app {
 namespace {
@@ -60,8 +63,12 @@ ExitCode parse_and_run(int argc, const char* const* argv, const AppDescription& 
   CommonOptions options;
   description.declare(cli);
   declare_common(cli, options);
+  std::vector<std::string> notices;
   try {
-    with_error_kind(ErrorKind::misuse, [&] { cli.parse(argc, argv); });
+    std::vector<std::string> words = with_new_names(argc, argv, description.renamed, notices);
+    words.erase(words.begin());                // the program
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
+    with_error_kind(ErrorKind::misuse, [&] { cli.parse(std::move(words)); });
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0)
       throw Error(ErrorKind::misuse, std::string(error.what()) + " (--help lists the options)");
@@ -69,6 +76,7 @@ ExitCode parse_and_run(int argc, const char* const* argv, const AppDescription& 
     return ExitCode::success;
   }
   with_error_kind(ErrorKind::resource, [&] { start_logging(options.logging()); });
+  for (const std::string& text : notices) notice(text);
   set_threads(options.threads);
   with_error_kind(ErrorKind::misuse, [] { active_isa(); });  // ISOSTRETCH_ISA may ask for the impossible
   catch_interrupts();

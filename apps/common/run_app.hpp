@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/exit_code.hpp"
+#include "common/option_flags.hpp"
 #include "common/terminal.hpp"
 
 #include <functional>
@@ -31,6 +32,7 @@ struct AppDescription {
   std::string name;
   std::string purpose;
   std::vector<std::string> examples;                           // of command lines, for --help
+  std::vector<RenamedFlag> renamed;                            // flags of earlier versions
   std::function<void(CLI::App&)> declare;                      // adds the app's own options
   std::function<ExitCode(const CommonOptions& options)> body;  // the work, when they are read
 };

@@ -1,10 +1,12 @@
 #include "common/scene_input.hpp"
 
-#include "common/json_value.hpp"
+#include "common/terminal.hpp"
 
-#include <nlohmann/json.hpp>
+#include <isostretch/core/error.hpp>
+#include <isostretch/scene/scene_file.hpp>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -53,20 +55,35 @@ std::string scene_list(const std::vector<EmbeddedScene>& embedded) {
   return text;
 }
 
+scene::Value upgraded(scene::Value scene, const fs::path& input, const std::vector<std::string>& used) {
+  const std::string renamed = scene::renamed_text(scene::upgrade(scene));
+  if (!renamed.empty()) notice(input.string() + ": " + renamed);
+  scene::check_keys(scene);
+  for (const std::string& key : scene::scene_keys()) {
+    if (!scene.has(key) || std::find(used.begin(), used.end(), key) != used.end()) continue;
+    warn(input.string() + ": '" + key + "' is of no use to this app");
+    scene.take(key);
+  }
+  return scene;
+}
+
 }  // namespace
 
-Json scene_object(const fs::path& input, const std::vector<std::string>& keys,
-                  const std::vector<EmbeddedScene>& embedded) {
+scene::Value read_scene_input(const fs::path& input, const std::vector<std::string>& used,
+                              const std::vector<EmbeddedScene>& embedded) {
   const bool is_name = !embedded.empty() && !input.empty() && !input.has_parent_path() && !is_file(input);
-  const EmbeddedScene* scene = is_name ? scene_named(input, embedded) : nullptr;
-  if (is_name && scene == nullptr && (!input.has_extension() || is_scene_file(input))) fail_unknown(input);
-  if (!is_scene_file(input)) return Json::object();
+  const EmbeddedScene* known = is_name ? scene_named(input, embedded) : nullptr;
+  if (is_name && known == nullptr && (!input.has_extension() || is_scene_file(input))) fail_unknown(input);
+  if (!is_scene_file(input)) return scene::Value::object("schema", scene::schema_version);
   return with_error_kind(ErrorKind::input, [&] {
-    const Json json =
-        scene != nullptr ? parse_json(std::string(scene->text), input.string()) : read_json_file(input);
-    with_error_prefix(input.string(), [&] { JsonValue(json).only(keys); });
-    return json;
+    const scene::Value scene = known != nullptr ? scene::parse_json(std::string(known->text), input.string())
+                                                : scene::read_json(input);
+    return with_error_prefix(input.string(), [&] { return upgraded(scene, input, used); });
   });
+}
+
+Json report_json(const scene::Value& value) {
+  return Json::parse(scene::to_json(value));
 }
 
 void take_scene_names(CLI::Option& option, const std::vector<EmbeddedScene>& embedded) {

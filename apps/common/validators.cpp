@@ -1,6 +1,6 @@
 #include "common/validators.hpp"
 
-#include "common/numbers.hpp"
+#include <isostretch/core/numbers.hpp>
 
 #include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/text.hpp>
@@ -17,6 +17,15 @@ std::string in_quotes(const std::string& text) {
 }
 
 }  // namespace
+
+CLI::Validator in_range(const Range& range, bool whole) {
+  return {[=](std::string& text) {
+            const auto value = finite_number(text);
+            const bool is = value && range.contains(*value) && (!whole || whole_number(text));
+            return is ? std::string() : in_quotes(text) + " is not " + range.in_words(whole);
+          },
+          ""};
+}
 
 CLI::Validator not_negative() {
   return {[](std::string& text) {

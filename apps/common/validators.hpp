@@ -1,5 +1,7 @@
 #pragma once
 
+#include <isostretch/core/option_fields.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -11,6 +13,8 @@ namespace isostretch::app {
 // range. Every numeric option of an app has one of these; all of them read by finite_number() and
 // whole_number().
 // They have no description of their own for --help: what an option takes is said there.
+/// A number, or a whole number, of a range.
+CLI::Validator in_range(const Range& range, bool whole);
 CLI::Validator not_negative();
 CLI::Validator positive();
 CLI::Validator number_between(double lowest, double highest);

@@ -1,31 +1,30 @@
 #include "body_problem.hpp"
 
-#include "common/body_reader.hpp"
-#include "common/energy_reader.hpp"
+#include "common/deformation_names.hpp"
+
 #include "common/exit_code.hpp"
-#include "common/handle_reader.hpp"
 #include "common/terminal.hpp"
 
 #include <isostretch/deformation/handle_set.hpp>
 #include <isostretch/deformation/predictor.hpp>
+#include <isostretch/scene/energy.hpp>
+#include <isostretch/scene/handles.hpp>
+#include <isostretch/scene/solid.hpp>
 
 #include <cmath>
 
 namespace isostretch::app::compare {
 namespace {
 
-SolidModel read_body(const JsonValue& value, const std::filesystem::path& folder) {
-  SolidSpec spec;
+SolidModel read_body(const scene::Node& value, const std::filesystem::path& folder) {
+  SolidSpec spec = scene::read_solid(value, folder);
   spec.repair.offered = false;
-  read_mesh(value.at("mesh"), folder, spec);
-  if (const auto order = value.find("order")) spec.order = order->whole(1, 2);
-  if (const auto quadrature = value.find("quadrature")) spec.quadrature = quadrature->whole(1, 5);
   const auto load = [&] { return deformation::load_solid(spec); };
   return spec.generated ? naming(value.at("mesh"), load) : with_error_kind(ErrorKind::input, load);
 }
 
-HandleScript read_script(const JsonValue& value, int dim) {
-  HandleScript script = read_handle_script(value, dim, Holding::hard, 1);
+HandleScript read_script(const scene::Node& value, int dim) {
+  HandleScript script = scene::read_handle_script(value, dim, scene::Holding::hard, 1);
   for (const HandleSpec& handle : script.handles)
     if (handle.soft)
       throw Error(handle.path + ".soft: only hard handles are compared, which all methods know");
@@ -58,21 +57,21 @@ void scale_to_unit_volume(double volume, assembly::Elements& elements, Vector& p
 
 }  // namespace
 
-Problem body_problem(const JsonValue& value, const std::filesystem::path& folder) {
-  value.only({"name", "mesh", "energy", "material", "handles", "guess", "order", "quadrature"});
+Problem body_problem(const scene::Node& value, const std::filesystem::path& folder) {
+  value.only({"name", "mesh", "energy", "material", "handles", "initial_guess", "order", "quadrature"});
   const SolidModel body = read_body(value, folder);
-  const energies::AnyEnergy energy = read_energy(value, body.dim);
+  const energies::AnyEnergy energy = scene::read_energy(value, body.dim);
   const HandleScript script = read_script(value, body.dim);
   const HandleSet handle_set(script, body);
-  const auto guess = value.find("guess");
+  const auto guess = value.find("initial_guess");
   const InitialGuess kind =
-      guess ? guess->choice(deformation::initial_guess_names) : InitialGuess::biharmonic;
+      guess ? guess->choice(deformation::choice_names(InitialGuess{})) : InitialGuess::biharmonic;
   Problem problem{{},
                   {body.elements, energy, pinned_nodes(handle_set, body)},
                   guessed_start(kind, script, body, handle_set),
                   {{"kind", deformation::plural_name(body.shape)},
                    {"mesh", body.name},
-                   {"guess", name_of(deformation::initial_guess_names, kind)}}};
+                   {"guess", name_of(deformation::choice_names(InitialGuess{}), kind)}}};
   scale_to_unit_volume(body.volume(), problem.distortion.elements, problem.start);
   return problem;
 }

@@ -5,6 +5,6 @@
 namespace isostretch::app::compare {
 
 // A body with hard handles, scaled to volume (area in the plane) 1. Throws as read_problem().
-Problem body_problem(const JsonValue& value, const std::filesystem::path& folder);
+Problem body_problem(const scene::Node& value, const std::filesystem::path& folder);
 
 }  // namespace isostretch::app::compare

@@ -1,8 +1,7 @@
 #include "command_line.hpp"
 
-#include "common/energy_choice.hpp"
+#include <isostretch/core/numbers.hpp>
 #include "common/exit_code.hpp"
-#include "common/numbers.hpp"
 #include "common/scene_input.hpp"
 #include "common/validators.hpp"
 #include "scene_reader.hpp"
@@ -13,6 +12,10 @@
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/figures/utf8.hpp>
+#include <isostretch/scene/energy_choice.hpp>
+#include <isostretch/scene/scene_file.hpp>
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -21,6 +24,9 @@
 
 namespace isostretch::app::compare {
 namespace {
+
+// Keys of a scene that this app has a use for.
+const std::vector<std::string> used_keys{"schema", "problems", "methods", "limits", "repetitions"};
 
 // One line a method, as --list-methods prints it.
 std::string method_table() {
@@ -59,40 +65,23 @@ void CommandLine::declare_problems(CLI::App& cli) {
   auto* meshes =
       cli.add_option("mesh", meshes_, "Surfaces to flatten, disks: OBJ, OFF, PLY, STL, MSH, MESH, VTK or VTU")
           ->type_name("MESH");
-  auto* energy = cli.add_option("-e,--energy", energies_,
-                                "Of the meshes; several with commas; --list-energies shows all")
-                     ->type_name("NAME[,NAME...]")
-                     ->capture_default_str();
-  auto* parameters =
-      cli.add_option("-p,--param", parameters_,
-                     "Parameters of the energies that have them: name=value[,name=value...]; may be repeated")
-          ->allow_extra_args(false)
-          ->type_name("NAME=VALUE");
+  energy_flags_.declare(
+      cli, "Energies of the meshes, several with commas", "symmetric_dirichlet",
+      "In the plane:\n" + scene::energy_table(2) + "\nIn space (scenes):\n" + scene::energy_table(3));
   auto* scene = cli.add_option("--scene", scene_file_,
                                "Instead of meshes: problems and settings (JSON), or the name of a scene that "
                                "comes with the program");
   take_scene_names(*scene, embedded_scenes());
   declare_scene_list(cli, embedded_scenes());
-  scene->excludes(meshes)->excludes(energy)->excludes(parameters)->type_name("FILE");
+  scene->excludes(meshes)->excludes("--energy")->excludes("--param")->type_name("FILE");
   cli.add_option("-o,--out", out_, "Folder for report.html, comparison.json, tables, plots, and all runs")
       ->required()
       ->type_name("FOLDER");
   cli.add_flag("--no-picture", no_picture_, "Draw no plots");
-  cli.add_flag_callback(
-         "--list-energies",
-         [] {
-           std::cout << "In the plane:\n"
-                     << energy_table(2) << "\nIn space (scenes):\n"
-                     << energy_table(3) << std::flush;
-           throw CLI::Success{};
-         },
-         "List the energies and their parameters, and exit")
-      ->trigger_on_parse();
 }
 
 void CommandLine::declare_methods(CLI::App& cli) {
   cli.option_defaults()->group("Methods and limits");
-  const Limits defaults;
   cli.add_option("-m,--method", methods_, "These only, names with commas; --list-methods shows all")
       ->type_name("NAME[,NAME...]")
       ->default_str("all");
@@ -104,28 +93,10 @@ void CommandLine::declare_methods(CLI::App& cli) {
          },
          "List the methods, and exit")
       ->trigger_on_parse();
-  cli.add_option("--grad-tol", gradient_tolerance_,
-                 "A run ends at |gradient|_inf <= this, with a rest of area or volume 1")
-      ->check(not_negative())
-      ->type_name("X")
-      ->default_str(to_text(defaults.gradient_tolerance));
-  cli.add_option("--max-iterations", max_iterations_, "Of a run")
-      ->check(whole_number_between(0, 1'000'000'000))
-      ->type_name("N")
-      ->default_str(std::to_string(defaults.max_iterations));
-  cli.add_option("--time-limit", time_limit_, "Seconds for a run; 0: no limit")
-      ->check(not_negative())
-      ->type_name("SECONDS")
-      ->default_str(to_text(defaults.time_limit));
-  cli.add_option("--memory-limit", memory_limit_,
-                 "Megabytes for the process of a run, at least 256; 0: no limit")
-      ->check(not_negative())
-      ->type_name("MB")
-      ->default_str("0");
-  cli.add_option("--repeat", repetitions_, "Runs of each method on each problem; the median counts")
-      ->check(whole_number_between(1, 1000))
-      ->type_name("N")
-      ->default_str(std::to_string(Options().repetitions));
+  Limits limits;
+  option_flags_.declare(cli, option_fields(limits), "limits");
+  option_flags_.declare_key(cli, "repetitions");
+  option_flags_.declare_set(cli);
 }
 
 void CommandLine::declare_single_run(CLI::App& cli) {
@@ -143,28 +114,31 @@ void CommandLine::declare_single_run(CLI::App& cli) {
       ->group(group);
 }
 
-void CommandLine::add_problems(Json& scene) const {
-  const Parameters parameters = parse_parameters(parameters_);
+void CommandLine::add_problems(scene::Value& scene) const {
+  const Parameters parameters = scene::parse_parameters(energy_flags_.parameters());
   Parameters unused = parameters;
   std::set<std::string> taken;
   for (const std::string& mesh : meshes_) {
     // Runs find their problems in a scene, which is JSON.
     if (figures::valid_utf8(mesh) != mesh)
       throw Error("a mesh's path must be UTF-8 here: " + figures::valid_utf8(mesh));
-    for (const std::string& energy : split_energies(energies_)) {
-      const auto own = naming_option("--energy", [&] { return parameters_of(energy, parameters); });
+    for (const std::string& energy : scene::split_energies(energy_flags_.name())) {
+      const auto own = naming_option("--energy", [&] { return scene::parameters_of(energy, parameters); });
       for (const auto& [name, value] : own) unused.erase(name);
-      scene["problems"].push_back({{"name", unused_name(mesh, energy, taken)},
-                                   {"mesh", std::filesystem::absolute(mesh).string()},
-                                   {"energy", {{"name", energy}, {"parameters", Json(own)}}}});
+      scene::Value values = scene::Value::object();
+      for (const auto& [name, value] : own) values[name] = value;
+      scene["problems"].push_back(scene::Value::object(
+          {{"name", unused_name(mesh, energy, taken)},
+           {"mesh", std::filesystem::absolute(mesh).string()},
+           {"energy", scene::Value::object({{"name", energy}, {"parameters", values}})}}));
     }
   }
   if (!unused.empty())
     throw Error("--param: none of the energies has a parameter '" + unused.begin()->first + "'");
 }
 
-Json CommandLine::scene() const {
-  Json scene = scene_object(scene_file_, scene_keys(), embedded_scenes());
+scene::Value CommandLine::scene() const {
+  scene::Value scene = read_scene_input(scene_file_, used_keys, embedded_scenes());
   if (!scene_file_.empty() && !is_scene_file(scene_file_))
     throw Error(ErrorKind::misuse, "--scene: a scene is FILE.json, not '" + scene_file_.string() + "'");
   if (scene_file_.empty()) {
@@ -172,16 +146,15 @@ Json CommandLine::scene() const {
       throw Error(ErrorKind::misuse, "there is nothing to compare on: give a mesh, or --scene");
     with_error_kind(ErrorKind::misuse, [&] { add_problems(scene); });
   }
-  if (methods_) scene["methods"] = split(*methods_, ',');
-  if (gradient_tolerance_) scene["gradient_tolerance"] = *gradient_tolerance_;
-  if (max_iterations_) scene["max_iterations"] = *max_iterations_;
-  if (time_limit_) scene["time_limit"] = *time_limit_;
-  if (memory_limit_) scene["memory_limit"] = *memory_limit_;
-  if (repetitions_) scene["repetitions"] = *repetitions_;
+  if (methods_) {
+    const std::vector<std::string> names = split(*methods_, ',');
+    scene["methods"] = scene::Value::list({names.begin(), names.end()});
+  }
+  option_flags_.add_to(scene);
   return scene;
 }
 
-Options CommandLine::options(const Json& scene) const {
+Options CommandLine::options(const scene::Value& scene) const {
   if (methods_)
     with_error_kind(ErrorKind::misuse, [&] {
       return naming_option("--method", [&] { return choose_methods(split(*methods_, ',')); });
@@ -194,8 +167,7 @@ Options CommandLine::options(const Json& scene) const {
 
 SingleRun CommandLine::single_run() const {
   SingleRun run;
-  const Json json = scene();
-  const Options all = options(json);
+  const Options all = options(scene());
   if (all.methods.size() != 1) throw Error(ErrorKind::misuse, "--run: takes one --method");
   run.problem = run_;
   run.method = all.methods.front();

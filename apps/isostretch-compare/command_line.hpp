@@ -1,10 +1,9 @@
 #pragma once
 
-#include "common/output_folder.hpp"
+#include "common/energy_flags.hpp"
+#include "common/option_flags.hpp"
 #include "options.hpp"
 #include "single_run.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -25,9 +24,9 @@ class CommandLine {
   // The scene file, or one made of the meshes and energies, with what the command line adds or replaces.
   // Throws Error: with ExitCode::command_line naming the option at fault, with ExitCode::input where it is
   // a scene file.
-  Json scene() const;
+  scene::Value scene() const;
   // Of that scene.
-  Options options(const Json& scene) const;
+  Options options(const scene::Value& scene) const;
 
   const std::filesystem::path& scene_file() const { return scene_file_; }
   bool is_single_run() const { return !run_.empty(); }
@@ -37,15 +36,14 @@ class CommandLine {
   void declare_problems(CLI::App& cli);
   void declare_methods(CLI::App& cli);
   void declare_single_run(CLI::App& cli);
-  void add_problems(Json& scene) const;
+  void add_problems(scene::Value& scene) const;
 
-  std::vector<std::string> meshes_, parameters_;
+  std::vector<std::string> meshes_;
   std::filesystem::path scene_file_;
-  std::string energies_ = "symmetric_dirichlet";
   std::string out_, run_, from_;
   std::optional<std::string> methods_;
-  std::optional<double> gradient_tolerance_, time_limit_, memory_limit_;
-  std::optional<int> max_iterations_, repetitions_;
+  EnergyFlags energy_flags_;
+  OptionFlags option_flags_;
   bool no_picture_ = false;
 };
 

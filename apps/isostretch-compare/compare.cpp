@@ -37,7 +37,7 @@ class Match {
 
   ExitCode run() {
     OutputFolder folder(comparison_.options.out);
-    folder.write_now("scene.json", scene_.dump(2) + "\n");
+    folder.write_now("scene.json", scene::to_json(scene_, 2) + "\n");
     comparison_.date = date_text();
     comparison_.machine = machine_json();
     for (int number = 1; number <= comparison_.options.repetitions; ++number) run_repetition(number);
@@ -52,13 +52,14 @@ class Match {
   // run or written.
   void read_problems(const fs::path& scene_file) {
     reading_scene(scene_file, [&] {
-      for (const JsonValue& value : read_problem_list(scene_))
+      for (const Node& value : read_problem_list(scene_))
         add_problem(read_problem(value, scene_folder(scene_file)), value);
     });
-    for (Json& problem : scene_["problems"]) name_file_from_anywhere(problem["mesh"], scene_file);
+    for (scene::Value& problem : scene_["problems"].items())
+      name_file_from_anywhere(problem["mesh"], scene_file);
   }
 
-  void add_problem(const Problem& problem, const JsonValue& value) {
+  void add_problem(const Problem& problem, const Node& value) {
     ProblemResult& result = comparison_.problems.emplace_back();
     result.name = problem.name;
     result.facts = problem.facts;
@@ -68,9 +69,10 @@ class Match {
       if (!entry.unsuited.empty())
         notice(problem.name + ": " + std::string(entry.info.name) + " is not run: " + entry.unsuited);
     // Where a file lies does not matter; what is in it does.
-    Json without_mesh = value.json();
-    without_mesh.erase("mesh");
-    identities_.push_back(problem.facts.at("fingerprint").get<std::string>() + '\n' + without_mesh.dump());
+    scene::Value without_mesh = value.value();
+    without_mesh.take("mesh");
+    identities_.push_back(problem.facts.at("fingerprint").get<std::string>() + '\n' +
+                          scene::to_json(without_mesh));
   }
 
   bool is_chosen(const baselines::MethodInfo& info) const {
@@ -79,8 +81,8 @@ class Match {
   }
 
   // The scene is written to another folder.
-  static void name_file_from_anywhere(Json& mesh, const fs::path& scene_file) {
-    if (mesh.is_string()) mesh = fs::absolute(scene_folder(scene_file) / mesh.get<std::string>()).string();
+  static void name_file_from_anywhere(scene::Value& mesh, const fs::path& scene_file) {
+    if (mesh.is_text()) mesh = fs::absolute(scene_folder(scene_file) / mesh.text()).string();
   }
 
   // Repetitions are outermost: what else the machine does for a while strikes all methods alike.
@@ -202,7 +204,7 @@ class Match {
   }
 
   const CommonOptions& common_;
-  Json scene_;
+  scene::Value scene_;
   Comparison comparison_;
   std::vector<std::string> identities_;  // of the problems
   Runs runs_;

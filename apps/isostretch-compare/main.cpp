@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
        .purpose = "Runs all methods that minimise distortion on the same problems, and shows how far from "
                   "the optimum each is after how long.",
        .examples = {"isostretch-compare face.obj --energy symmetric_dirichlet --out race"},
+       .renamed = {{"--grad-tol", "--gradient-tolerance"}, {"--repeat", "--repetitions"}},
        .declare = [&](CLI::App& cli) { command_line.declare(cli); },
        .body =
            [&](const CommonOptions& common) {

@@ -1,18 +1,14 @@
 #pragma once
 
+#include <isostretch/scene/comparison_limits.hpp>
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace isostretch::app::compare {
 
-// What every run of a method is allowed.
-struct Limits {
-  double gradient_tolerance = 1e-4;
-  int max_iterations = 1000;
-  double time_limit = 60;   // seconds; 0: none
-  double memory_limit = 0;  // megabytes; 0: none
-};
+using Limits = scene::ComparisonLimits;
 
 struct Options {
   std::filesystem::path out;

@@ -65,7 +65,7 @@ int Problem::flips(const Vector& x) const {
   return static_cast<int>(Strain(distortion.elements).at(x).inverted.size());
 }
 
-Problem read_problem(const JsonValue& value, const std::filesystem::path& folder) {
+Problem read_problem(const scene::Node& value, const std::filesystem::path& folder) {
   Problem problem = value.has("handles") ? body_problem(value, folder) : surface_problem(value, folder);
   problem.name = problem_name(value);
   require_finite_start(problem);

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "common/json_value.hpp"
+#include "common/output_folder.hpp"
 
 #include <isostretch/baselines/distortion.hpp>
+#include <isostretch/scene/node.hpp>
+
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <string>
@@ -24,6 +27,6 @@ struct Problem {
 // where they come to in the end; without any a surface to flatten. Throws Error naming the key by its path,
 // and Failure with ExitCode::input naming the mesh, or the problem and the element where its energy is not
 // finite at the start.
-Problem read_problem(const JsonValue& value, const std::filesystem::path& folder);
+Problem read_problem(const scene::Node& value, const std::filesystem::path& folder);
 
 }  // namespace isostretch::app::compare

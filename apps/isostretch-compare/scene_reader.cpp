@@ -1,6 +1,8 @@
 #include "scene_reader.hpp"
 
 #include <isostretch/baselines/distortion.hpp>
+#include <isostretch/core/text.hpp>
+#include <isostretch/scene/option_values.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -9,58 +11,43 @@
 namespace isostretch::app::compare {
 namespace {
 
-double not_negative(const JsonValue& value) {
-  const double number = value.number();
-  if (number < 0) value.fail("must not be negative");
-  return number;
-}
-
 // Megabytes of address space that a process takes before it has read anything; BLAS libraries wait forever
 // where they do not get theirs.
 constexpr double least_memory_limit = 256;
 
-double read_memory_limit(const JsonValue& value) {
-  const double limit = not_negative(value);
+void check_memory_limit(const Node& scene, double limit) {
   if (limit > 0 && limit < least_memory_limit)
-    value.fail("must be 0 (none) or at least 256, which a process takes before it has read anything");
-  return limit;
+    scene.at("limits")
+        .at("memory_limit")
+        .fail("must be 0 (none) or at least 256, which a process takes before it has read anything");
 }
 
-std::vector<std::string> texts(const JsonValue& list) {
+std::vector<std::string> texts(const Node& list) {
   std::vector<std::string> all;
-  for (const JsonValue& item : list.items()) all.push_back(item.text());
+  for (const Node& item : list.items()) all.push_back(item.text());
   return all;
 }
 
 }  // namespace
 
-std::vector<std::string> scene_keys() {
-  return {"problems",   "methods",      "gradient_tolerance", "max_iterations",
-          "time_limit", "memory_limit", "repetitions"};
-}
-
-Options read_options(const Json& json) {
-  const JsonValue scene(json);
-  scene.only(scene_keys());
+Options read_options(const scene::Value& value) {
+  const Node scene(value);
   Options options;
   options.methods = choose_methods({"all"});
   if (const auto methods = scene.find("methods"))
     options.methods = naming(*methods, [&] { return choose_methods(texts(*methods)); });
-  Limits& limits = options.limits;
-  if (const auto value = scene.find("gradient_tolerance")) limits.gradient_tolerance = not_negative(*value);
-  if (const auto value = scene.find("max_iterations")) limits.max_iterations = value->whole(0, 1'000'000'000);
-  if (const auto value = scene.find("time_limit")) limits.time_limit = not_negative(*value);
-  if (const auto value = scene.find("memory_limit")) limits.memory_limit = read_memory_limit(*value);
-  if (const auto value = scene.find("repetitions")) options.repetitions = value->whole(1, 1000);
+  if (const auto limits = scene.find("limits")) read_options(*limits, options.limits);
+  check_memory_limit(scene, options.limits.memory_limit);
+  if (const auto count = scene.find("repetitions")) options.repetitions = count->whole(1, 1000);
   return options;
 }
 
-std::vector<JsonValue> read_problem_list(const Json& scene) {
-  const JsonValue list = JsonValue(scene).at("problems");
-  const std::vector<JsonValue> problems = list.items();
+std::vector<Node> read_problem_list(const scene::Value& scene) {
+  const Node list = Node(scene).at("problems");
+  const std::vector<Node> problems = list.items();
   if (problems.empty()) list.fail("there must be one at least");
   std::set<std::string> names;
-  for (const JsonValue& problem : problems)
+  for (const Node& problem : problems)
     if (!names.insert(problem_name(problem)).second)
       problem.at("name").fail("the name '" + problem_name(problem) + "' is taken");
   return problems;
@@ -70,8 +57,8 @@ bool may_be_in_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
 }
 
-std::string problem_name(const JsonValue& problem) {
-  const JsonValue value = problem.at("name");
+std::string problem_name(const Node& problem) {
+  const Node value = problem.at("name");
   const std::string name = value.text();
   if (name.empty() || name.front() == '.' || !std::all_of(name.begin(), name.end(), may_be_in_name))
     value.fail("'" + name + "' names a folder: letters, digits, _, - and ., not at first");

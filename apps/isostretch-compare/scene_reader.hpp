@@ -1,23 +1,23 @@
 #pragma once
 
-#include "common/json_value.hpp"
 #include "options.hpp"
+
+#include <isostretch/scene/node.hpp>
 
 #include <string>
 #include <vector>
 
 namespace isostretch::app::compare {
 
-// The keys of a scene, docs/apps/compare.md explains them.
-std::vector<std::string> scene_keys();
+using scene::Node;
 
 // Settings of a scene. Throws Error naming the key by its path.
-Options read_options(const Json& scene);
+Options read_options(const scene::Value& scene);
 
 // The problems of a scene: at least one, each an object with a name of its own that can name a folder. Throws
 // Error naming the key by its path. The scene must live longer.
-std::vector<JsonValue> read_problem_list(const Json& scene);
-std::string problem_name(const JsonValue& problem);
+std::vector<Node> read_problem_list(const scene::Value& scene);
+std::string problem_name(const Node& problem);
 bool may_be_in_name(char c);
 
 // The methods of these names, in the order of baselines::methods(); "all" is every one. Throws Error listing

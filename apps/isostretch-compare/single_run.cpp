@@ -22,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Problem problem_named(const std::string& name, const Json& scene, const fs::path& scene_file) {
+Problem problem_named(const std::string& name, const scene::Value& scene, const fs::path& scene_file) {
   return reading_scene(scene_file, [&] {
     std::vector<std::string> names;
-    for (const JsonValue& value : read_problem_list(scene)) {
+    for (const Node& value : read_problem_list(scene)) {
       if (problem_name(value) == name) return read_problem(value, scene_folder(scene_file));
       names.push_back(problem_name(value));
     }
@@ -79,7 +79,7 @@ ExitCode exit_code(const newton::Summary& summary) {
 
 }  // namespace
 
-ExitCode run_single(const SingleRun& run, const Json& scene, const fs::path& scene_file) {
+ExitCode run_single(const SingleRun& run, const scene::Value& scene, const fs::path& scene_file) {
   const Problem problem = problem_named(run.problem, scene, scene_file);
   Vector x = run.from.empty() ? problem.start : read_positions(run.from, problem.start.size());
   OutputFolder folder(run.out);

@@ -18,6 +18,6 @@ struct SingleRun {
 };
 
 // Writes trace.csv, summary.json and positions.bin, all together or none.
-ExitCode run_single(const SingleRun& run, const Json& scene, const std::filesystem::path& scene_file);
+ExitCode run_single(const SingleRun& run, const scene::Value& scene, const std::filesystem::path& scene_file);
 
 }  // namespace isostretch::app::compare

@@ -1,11 +1,11 @@
 #include "surface_problem.hpp"
 
-#include "common/energy_reader.hpp"
 #include "common/exit_code.hpp"
 
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/mesh_io/io.hpp>
 #include <isostretch/parameterization/start.hpp>
+#include <isostretch/scene/energy.hpp>
 #include <isostretch/surface/check.hpp>
 
 #include <limits>
@@ -21,8 +21,8 @@ struct Surface {
 };
 
 // A file, or {"face": {"rings": N}}.
-Surface read_surface(const JsonValue& value, const fs::path& folder) {
-  if (!value.is_text()) {
+Surface read_surface(const scene::Node& value, const fs::path& folder) {
+  if (!value.value().is_text()) {
     const int rings =
         value.only({"face"}).at("face").only({"rings"}).at("rings").whole(1, std::numeric_limits<int>::max());
     return {"face", naming(value, [&] { return mesh::procedural_face(rings); })};
@@ -51,9 +51,9 @@ Vector tutte_start(const Surface& surface, const mesh::ElementArrays& rest) {
 
 }  // namespace
 
-Problem surface_problem(const JsonValue& value, const fs::path& folder) {
+Problem surface_problem(const scene::Node& value, const fs::path& folder) {
   value.only({"name", "mesh", "energy", "material"});
-  const energies::AnyEnergy energy = read_energy(value, 2);
+  const energies::AnyEnergy energy = scene::read_energy(value, 2);
   const Surface surface = read_surface(value.at("mesh"), folder);
   require_disk(surface);
   Problem problem{

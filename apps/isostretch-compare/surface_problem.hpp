@@ -5,6 +5,6 @@
 namespace isostretch::app::compare {
 
 // Flattening a disk, from where isostretch-parameterize starts. Throws as read_problem().
-Problem surface_problem(const JsonValue& value, const std::filesystem::path& folder);
+Problem surface_problem(const scene::Node& value, const std::filesystem::path& folder);
 
 }  // namespace isostretch::app::compare

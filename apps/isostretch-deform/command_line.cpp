@@ -1,33 +1,32 @@
 #include "command_line.hpp"
 
-#include "common/energy_choice.hpp"
 #include "common/exit_code.hpp"
-#include "common/handle_text.hpp"
-#include "common/json_value.hpp"
 #include "common/validators.hpp"
-#include "scene.hpp"
-#include "scene_reader.hpp"
 
+#include <isostretch/core/text.hpp>
 #include <isostretch/deformation/material.hpp>
+#include <isostretch/newton/options.hpp>
+#include <isostretch/scene/handle_text.hpp>
 
 #include <CLI/CLI.hpp>
-
-#include <iostream>
 
 namespace isostretch::app::deform {
 namespace {
 
-std::string energy_list() {
-  return "In space:\n" + energy_table(3) + "\nIn the plane:\n" + listed(energy_names_in(2)) +
-         "\n\nWith --young and --poisson:\n" + listed(deformation::energies_with_material()) + "\n";
-}
+// Keys of a scene that this app has a use for.
+const std::vector<std::string> used_keys{"schema", "mesh",          "order",   "quadrature",
+                                         "energy", "material",      "regions", "handles",
+                                         "frames", "initial_guess", "format",  "newton"};
 
 }  // namespace
 
 void CommandLine::declare(CLI::App& cli) {
   declare_files(cli);
   declare_scene(cli);
-  solver_flags_.declare(cli);
+  cli.option_defaults()->group("Solver");
+  newton::Options newton;
+  option_flags_.declare(cli, option_fields(newton), "newton");
+  option_flags_.declare_set(cli);
 }
 
 void CommandLine::declare_files(CLI::App& cli) {
@@ -49,20 +48,16 @@ void CommandLine::declare_files(CLI::App& cli) {
       ->check(whole_number_between(0, 1'000'000))
       ->type_name("N");
   repair_flags_.declare(cli);
+  option_flags_.declare_key(cli, "format");
   declare_frames(cli, frame_flags_, "deform.glb");
   cli.get_option("--no-picture")->excludes(cli.get_option("--preview"));
 }
 
 void CommandLine::declare_scene(CLI::App& cli) {
   cli.option_defaults()->group("Scene");
-  cli.add_option("-e,--energy", energy_,
-                 "Distortion energy that is minimised: how the body resists; --list-energies shows all")
-      ->type_name("NAME")
-      ->default_str("arap");
-  cli.add_option("-p,--param", parameters_,
-                 "Set parameters of the energy: name=value[,name=value...]; may be repeated")
-      ->allow_extra_args(false)
-      ->type_name("NAME=VALUE");
+  energy_flags_.declare(cli, "Distortion energy that is minimised: how the body resists", "arap",
+                        energy_list() + "\nWith --young and --poisson:\n" +
+                            listed(deformation::energies_with_material()) + "\n");
   cli.add_option("--young", young_,
                  "Young's modulus: how stiff the material is. With --poisson it sets the parameters of an "
                  "energy that is a material")
@@ -73,39 +68,11 @@ void CommandLine::declare_scene(CLI::App& cli) {
          "Poisson's ratio: how much the material thins when it is stretched; near 0.5 it keeps its volume")
       ->check(number_between(-1.0, 0.5))
       ->type_name("NU");
-  cli.add_flag_callback(
-         "--list-energies",
-         [] {
-           std::cout << energy_list() << std::flush;
-           throw CLI::Success{};
-         },
-         "List the energies and their parameters, and exit")
-      ->trigger_on_parse();
-  cli.add_option("--handle", handles_, handle_help(Holding::hard))
+  cli.add_option("--handle", handles_, scene::handle_help(scene::Holding::hard))
       ->allow_extra_args(false)
       ->type_name("HANDLE");
-  cli.add_option(
-         "--frames", frames_,
-         "Number of steps from rest to the end of the motion. More are slower and survive larger motions")
-      ->check(whole_number_between(1, 1'000'000))
-      ->type_name("N")
-      ->default_str(std::to_string(10));
-  cli.add_option("--guess", guess_,
-                 "Shape that the solver starts every frame from: " +
-                     listed(all_names(deformation::initial_guess_names)))
-      ->check(one_of(all_names(deformation::initial_guess_names)))
-      ->type_name("NAME")
-      ->default_str(name_of(deformation::initial_guess_names, InitialGuess::biharmonic));
-  cli.add_option(
-         "--order", order_,
-         "2 makes quadratic elements of the linear ones in the file: slower, but bending is not too stiff")
-      ->check(whole_number_between(1, 2))
-      ->type_name("N");
-  cli.add_option("--quadrature", quadrature_,
-                 "Degree of the polynomials that are integrated exactly over an element; higher is slower "
-                 "and more exact")
-      ->check(whole_number_between(1, 5))
-      ->type_name("N");
+  option_flags_.declare_key(cli, "frames", "10");
+  for (const char* key : {"initial_guess", "order", "quadrature"}) option_flags_.declare_key(cli, key);
 }
 
 MeshRepair CommandLine::repair() const {
@@ -122,56 +89,29 @@ Options CommandLine::options() const {
     options.stop_after = stop_after_;
     options.picture = !frame_flags_.no_picture;
     options.glb = frame_flags_.glb;
-    newton::Options newton;
-    solver_flags_.apply(newton);
-    options.time_limit = newton.time_limit;
     return options;
   });
 }
 
-void CommandLine::add_energy(Json& scene) const {
-  const auto parameters =
-      with_error_kind(ErrorKind::misuse, [this] { return parse_parameters(parameters_); });
-  if (energy_) scene["energy"] = *energy_;
-  if (!scene.contains("energy")) scene["energy"] = "arap";
-  if (!parameters.empty()) {
-    if (scene["energy"].is_string()) scene["energy"] = Json{{"name", scene["energy"]}};
-    for (const auto& [name, value] : parameters) scene["energy"]["parameters"][name] = value;
-  }
+void CommandLine::add_handles(scene::Value& scene) const {
+  with_error_kind(ErrorKind::misuse, [&] {
+    if (!handles_.empty() && scene.has("handles") && !scene["handles"].is_list())
+      throw Error("--handle: the handles of the scene are no list that one could be added to");
+    for (const std::string& text : handles_) scene["handles"].push_back(scene::handle_from_text(text));
+    if (has_scene_file() || look_.check) return;  // what it lacks is said when its turn comes
+    if (!scene.has("handles")) throw Error("--handle: there must be one at least");
+  });
+}
+
+scene::Value CommandLine::scene() const {
+  scene::Value scene = read_scene_input(input_, used_keys);
+  if (!has_scene_file()) scene["mesh"] = input_.string();
+  energy_flags_.add_to(scene);
   if (young_.has_value() != poisson_.has_value())
     throw Error(ErrorKind::misuse, "--young and --poisson go together");
-  if (young_) scene["material"] = Json{{"young", *young_}, {"poisson", *poisson_}};
-}
-
-void CommandLine::add_handles(Json& scene) const {
-  with_error_kind(ErrorKind::misuse, [&] {
-    for (const std::string& text : handles_)
-      scene["handles"].push_back(handle_from_text(text, Holding::hard));
-    if (has_scene_file() || look_.check) return;  // what it lacks is said when its turn comes
-    if (!scene.contains("handles")) throw Error("--handle: there must be one at least");
-  });
-}
-
-Json CommandLine::scene() const {
-  Json scene = scene_object(input_, scene_keys());
-  if (!has_scene_file()) scene["mesh"] = input_.string();
-  try {
-    add_energy(scene);
-    add_handles(scene);
-  } catch (const Json::exception&) {
-    throw Error(ErrorKind::input,
-                input_.string() + ": energy or handles are nothing that the command line could add to");
-  }
-  if (frames_) scene["frames"] = *frames_;
-  if (guess_) scene["guess"] = *guess_;
-  if (frame_flags_.format) scene["format"] = *frame_flags_.format;
-  if (order_) scene["order"] = *order_;
-  if (quadrature_) scene["quadrature"] = *quadrature_;
-  newton::Options newton = with_error_kind(ErrorKind::input, [&] {
-    return with_error_prefix(input_.string(), [&] { return read_solver(scene); });
-  });
-  with_error_kind(ErrorKind::misuse, [&] { solver_flags_.apply(newton); });
-  scene["solver"] = solver_json(newton);
+  if (young_) scene["material"] = scene::Value::object({{"young", *young_}, {"poisson", *poisson_}});
+  add_handles(scene);
+  option_flags_.add_to(scene);
   return scene;
 }
 

@@ -2,15 +2,13 @@
 
 #include "common/deformation_names.hpp"
 
+#include "common/energy_flags.hpp"
 #include "common/frame_flags.hpp"
 #include "common/look_flags.hpp"
-#include "common/output_folder.hpp"
+#include "common/option_flags.hpp"
 #include "common/repair_flags.hpp"
 #include "common/scene_input.hpp"
-#include "common/solver_flags.hpp"
 #include "options.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -28,11 +26,10 @@ class CommandLine {
  public:
   void declare(CLI::App& cli);
 
-  // Both throw Failure: with ExitCode::command_line naming the option at fault, with ExitCode::input where it
-  // is a scene file.
+  // Both throw Error: of kind misuse naming the option at fault, of kind input where it is a scene file.
   Options options() const;
   // The scene file, if there is one, with what the command line adds or replaces.
-  Json scene() const;
+  scene::Value scene() const;
 
   MeshRepair repair() const;
   bool has_scene_file() const { return is_scene_file(input_); }
@@ -41,16 +38,14 @@ class CommandLine {
  private:
   void declare_files(CLI::App& cli);
   void declare_scene(CLI::App& cli);
-  void add_energy(Json& scene) const;
-  void add_handles(Json& scene) const;
+  void add_handles(scene::Value& scene) const;
 
   std::filesystem::path input_;
   std::string out_;
-  std::optional<std::string> energy_, guess_;
-  std::optional<int> frames_, order_, quadrature_;
   std::optional<double> young_, poisson_;
-  std::vector<std::string> parameters_, handles_;
-  SolverFlags solver_flags_;
+  std::vector<std::string> handles_;
+  EnergyFlags energy_flags_;
+  OptionFlags option_flags_;
   RepairFlags repair_flags_;
   FrameFlags frame_flags_;
   LookFlags look_;

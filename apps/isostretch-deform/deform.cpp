@@ -2,7 +2,6 @@
 #include "common/handle_miss_report.hpp"
 
 #include "common/animation.hpp"
-#include "common/body_reader.hpp"
 #include "common/check_report.hpp"
 #include "common/monitor.hpp"
 #include "common/newton_report.hpp"
@@ -13,24 +12,33 @@
 #include "common/terminal.hpp"
 #include "common/timed.hpp"
 #include "report.hpp"
-#include "scene_reader.hpp"
 #include "state.hpp"
 
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
 #include <isostretch/deformation/handle_misses.hpp>
 #include <isostretch/deformation/solid_check.hpp>
+#include <isostretch/scene/pipelines.hpp>
+#include <isostretch/scene/solid.hpp>
 
 #include <utility>
 
 namespace isostretch::app::deform {
 namespace {
 
-SolidSpec read_spec(const CommandLine& command_line, const Json& scene) {
+SolidSpec read_spec(const CommandLine& command_line, const scene::Value& value) {
   const std::filesystem::path folder = scene_folder(command_line.input());
-  SolidSpec spec = reading_scene(command_line.input(), [&] { return read_body_spec(scene, folder); });
+  SolidSpec spec =
+      reading_scene(command_line.input(), [&] { return scene::read_solid(scene::Node(value), folder); });
   spec.repair = command_line.repair();
   return spec;
+}
+
+Scene read_scene(const scene::Value& value, int dim) {
+  const scene::Node node(value);
+  Scene result{scene::read_sequence(node, dim), value};
+  if (const auto format = node.find("format")) result.format = format->choice(choice_names(FrameFormat{}));
+  return result;
 }
 
 ExitCode check(const CommandLine& command_line) {
@@ -43,9 +51,9 @@ class Job {
   Job(const CommandLine& command_line, const CommonOptions& common)
       : options_(command_line.options()),
         common_(common),
-        json_(command_line.scene()),
+        value_(command_line.scene()),
         body_(timed(seconds_.read, [&] { return read_body(command_line); })),
-        scene_(reading_scene(command_line.input(), [&] { return read_scene(json_, body_.dim); })),
+        scene_(reading_scene(command_line.input(), [&] { return read_scene(value_, body_.dim); })),
         handle_set_(reading_scene(command_line.input(), [&] { return HandleSet(scene_.script, body_); })),
         problem_(timed(seconds_.read,
                        [&] {
@@ -76,7 +84,7 @@ class Job {
 
  private:
   SolidModel read_body(const CommandLine& command_line) {
-    const SolidSpec spec = read_spec(command_line, json_);
+    const SolidSpec spec = read_spec(command_line, value_);
     return reading_body(command_line.input(), spec, [&] { return deformation::load_solid(spec); });
   }
 
@@ -111,7 +119,6 @@ class Job {
   }
 
   void make_frames(State& state, OutputFolder& folder) {
-    scene_.newton.time_limit = options_.time_limit;
     deformation::Stepper stepper(
         scene_, body_, handle_set_, problem_, [this](const std::string& text) { add_warning(text); },
         terminal_monitor());
@@ -183,7 +190,7 @@ class Job {
 
   void save(OutputFolder& folder, const State& state) {
     const ScopedTimer timer(frame_write_seconds_);
-    folder.write_now(state_file, state_text(state, json_, body_));
+    folder.write_now(state_file, state_text(state, scene_, body_));
   }
 
   // Of the last frame. Stretches go with an energy; handles that are not where they should be go with its
@@ -222,7 +229,7 @@ class Job {
   std::vector<HandleMiss> last_misses_;
   Options options_;
   const CommonOptions& common_;
-  Json json_;
+  scene::Value value_;
   SolidModel body_;
   Scene scene_;
   HandleSet handle_set_;

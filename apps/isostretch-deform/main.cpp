@@ -10,6 +10,9 @@ int main(int argc, char** argv) {
                              "energy allows, frame by frame.",
                   .examples = {"isostretch-deform body.msh --handle \"slab:x,min,0.1\" --handle "
                                "\"slab:x,max,0.1;rotate=1,0,0:90\" --frames 20 --out out"},
+                  .renamed = {{"--grad-tol", "--gradient-tolerance"},
+                              {"--solver", "--backend"},
+                              {"--guess", "--initial-guess"}},
                   .declare = [&](CLI::App& cli) { command_line.declare(cli); },
                   .body = [&](const CommonOptions& common) { return deform::deform(command_line, common); }});
 }

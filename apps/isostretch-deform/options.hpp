@@ -10,8 +10,7 @@ namespace isostretch::app::deform {
 struct Options {
   std::filesystem::path out;
   bool restart = false;
-  int stop_after = -1;    // frames made in this run; -1: all
-  double time_limit = 0;  // seconds; 0: none
+  int stop_after = -1;  // frames made in this run; -1: all
   bool picture = true;
   bool glb = false;
   LookFlags look;

@@ -2,6 +2,7 @@
 #include "common/handle_miss_report.hpp"
 
 #include "common/newton_report.hpp"
+#include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
 #include "common/threads.hpp"
 
@@ -176,7 +177,7 @@ Json summary_json(const Result& r, const PhaseSeconds& seconds) {
             {"regions", regions_json(r.problem)},
             {"warnings", r.warnings},
             {"frames", r.frames},
-            {"scene", r.scene.json},
+            {"scene", report_json(r.scene.value)},
             {"threads", thread_count()},
             {"instruction_set", isa_name(active_isa())},
             {"version", version_string}};

@@ -23,7 +23,7 @@ struct State {
 inline constexpr const char* state_file = "restart.json";
 
 // As the content of that file, with the scene and the body it belongs to. Numbers read back to the bit.
-std::string state_text(const State& state, const Json& scene, const SolidModel& body);
+std::string state_text(const State& state, const Scene& scene, const SolidModel& body);
 
 // Throws Error naming the file when there is none, and what has changed when it belongs to another scene or
 // body, or what is damaged.

@@ -1,9 +1,10 @@
 #include "command_line.hpp"
 
-#include "common/energy_choice.hpp"
+#include <isostretch/core/numbers.hpp>
 #include "common/exit_code.hpp"
-#include "common/numbers.hpp"
 #include "common/validators.hpp"
+
+#include <isostretch/scene/energy_choice.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -46,8 +47,8 @@ void CommandLine::declare(CLI::App& cli) {
          "--list-energies",
          [] {
            std::cout << "In the plane:\n"
-                     << energy_table(2) << "\nIn space:\n"
-                     << energy_table(3) << std::flush;
+                     << scene::energy_table(2) << "\nIn space:\n"
+                     << scene::energy_table(3) << std::flush;
            throw CLI::Success{};
          },
          "List the energies and their parameters, and exit")
@@ -58,7 +59,7 @@ Options CommandLine::options() const {
   return with_error_kind(ErrorKind::misuse, [this] {
     Options options;
     options.energy = energy_;
-    options.parameters = parse_parameters(parameters_);
+    options.parameters = scene::parse_parameters(parameters_);
     options.dimensions = choice_of(dimension_names, dimensions_);
     options.range = parse_range(range_);
     options.out = out_;

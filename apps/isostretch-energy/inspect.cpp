@@ -1,6 +1,5 @@
 #include "inspect.hpp"
 
-#include "common/energy_choice.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "maps.hpp"
@@ -8,6 +7,7 @@
 
 #include <isostretch/core/text.hpp>
 #include <isostretch/expressions/expression.hpp>
+#include <isostretch/scene/energy_choice.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -18,11 +18,11 @@ namespace {
 energies::AnyEnergy read_energy(const Options& options) {
   const std::string& text = options.energy;
   if (options.dimensions != Dimensions::both)
-    return choose_energy(text, options.parameters, static_cast<int>(options.dimensions));
+    return scene::choose_energy(text, options.parameters, static_cast<int>(options.dimensions));
   if (expressions::is_expression(text)) return expressions::parse_energy(text, options.parameters);
-  const auto in_plane = energy_names_in(2);
+  const auto in_plane = scene::energy_names_in(2);
   const bool is_in_plane = std::find(in_plane.begin(), in_plane.end(), text) != in_plane.end();
-  return choose_energy(text, options.parameters, is_in_plane ? 2 : 3);
+  return scene::choose_energy(text, options.parameters, is_in_plane ? 2 : 3);
 }
 
 Findings look_at(const energies::AnyEnergy& energy, const Options& options) {

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "common/energy_flags.hpp"
 #include "common/frame_flags.hpp"
+#include "common/option_flags.hpp"
 #include "common/repair_flags.hpp"
-#include "common/solver_flags.hpp"
 #include "options.hpp"
 
+#include <filesystem>
 #include <string>
-#include <vector>
 
 namespace CLI {
 class App;
@@ -19,20 +20,20 @@ class CommandLine {
  public:
   void declare(CLI::App& cli);
 
-  // Throws Error naming the option at fault.
+  // Throws Error naming the option, or the file and key of the scene, at fault.
   Options options() const;
+
+  // The first mesh, or the scene.
+  const std::filesystem::path& input() const { return first_; }
 
  private:
   void declare_files(CLI::App& cli);
-  void declare_energy(CLI::App& cli);
+  scene::Value scene() const;
 
-  Options defaults_;
-  std::string first_, second_, out_;
-  std::string energy_ = defaults_.energy;
-  std::string guess_ = name_of(guess_names, defaults_.guess);
-  int frames_ = defaults_.frames;
-  std::vector<std::string> parameters_;
-  SolverFlags solver_flags_;
+  std::filesystem::path first_;
+  std::string second_, out_;
+  EnergyFlags energy_flags_;
+  OptionFlags option_flags_;
   RepairFlags repair_flags_;
   FrameFlags frame_flags_;
   bool check_ = false;

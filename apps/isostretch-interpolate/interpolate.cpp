@@ -2,8 +2,8 @@
 
 #include "common/animation.hpp"
 #include "common/check_report.hpp"
-#include "common/energy_choice.hpp"
 #include "common/monitor.hpp"
+#include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "common/timed.hpp"
@@ -11,6 +11,7 @@
 
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
+#include <isostretch/scene/energy.hpp>
 #include <isostretch/surface/edges.hpp>
 
 #include <algorithm>
@@ -52,8 +53,8 @@ ExitCode check_poses(const Options& options) {
 
 class Job {
  public:
-  Job(const CommandLine& command_line, const CommonOptions& common)
-      : options_(command_line.options()),
+  Job(const std::filesystem::path& input, Options options, const CommonOptions& common)
+      : options_(std::move(options)),
         common_(common),
         key_shapes_(timed(seconds_.read,
                           [&] {
@@ -62,14 +63,7 @@ class Job {
                                                                   options_.repair);
                             });
                           })),
-        energy_(with_error_kind(ErrorKind::misuse,
-                                [&] {
-                                  require_holds(options_.format, key_shapes_.first);
-                                  energies::AnyEnergy energy = choose_energy(
-                                      options_.energy, options_.parameters, key_shapes_.first.dim);
-                                  deformation::require_least_at_rest(energy, key_shapes_.first.dim);
-                                  return energy;
-                                })),
+        energy_(reading_scene(input, [&] { return read_energy(); })),
         strains_{Strain(key_shapes_.first.elements), Strain(key_shapes_.second.elements)},
         interpolator_(options_, key_shapes_, energy_, terminal_monitor()),
         animation_(key_shapes_.first, outline(key_shapes_.first)),
@@ -91,6 +85,13 @@ class Job {
   }
 
  private:
+  energies::AnyEnergy read_energy() const {
+    require_holds(options_.format, key_shapes_.first);
+    energies::AnyEnergy energy = scene::read_energy(scene::Node(options_.value), key_shapes_.first.dim);
+    deformation::require_least_at_rest(energy, key_shapes_.first.dim);
+    return energy;
+  }
+
   static std::vector<std::array<int, 2>> outline(const SolidModel& body) {
     if (body.dim == 3) return {};
     return mesh::edges_of(body.surface.mesh.triangles).boundary;
@@ -192,9 +193,9 @@ class Job {
 }  // namespace
 
 ExitCode interpolate(const CommandLine& command_line, const CommonOptions& common) {
-  const Options options = command_line.options();
+  Options options = command_line.options();
   if (options.check) return check_poses(options);
-  return Job(command_line, common).run();
+  return Job(command_line.input(), std::move(options), common).run();
 }
 
 }  // namespace isostretch::app::interpolate

@@ -4,26 +4,18 @@
 
 #include "common/frames.hpp"
 
-#include <isostretch/core/choice_names.hpp>
-#include <isostretch/core/text.hpp>
 #include <isostretch/deformation/interpolation_options.hpp>
+#include <isostretch/scene/value.hpp>
 
 #include <filesystem>
-#include <map>
-#include <string>
 
 namespace isostretch::app::interpolate {
 
-using deformation::Continuation;
-inline constexpr ChoiceNames<Continuation, 2> guess_names{
-    {{"previous", Continuation::previous}, {"extrapolate", Continuation::extrapolate}}};
-
 struct Options : deformation::InterpolationOptions {
+  scene::Value value;                   // the scene, with what the command line adds
   std::filesystem::path first, second;  // meshes
   std::filesystem::path out;
   MeshRepair repair;
-  std::string energy = "symmetric_arap";
-  std::map<std::string, double> parameters = {};
   FrameFormat format = FrameFormat::vtu;
   bool pictures = true;
   bool glb = false;

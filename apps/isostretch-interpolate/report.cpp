@@ -1,6 +1,7 @@
 #include "report.hpp"
 
 #include "common/newton_report.hpp"
+#include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
 #include "common/threads.hpp"
 
@@ -158,7 +159,8 @@ Json summary_json(const Result& r, const PhaseSeconds& seconds) {
             {"frames_with_inverted", inverted_frames(r)},
             {"energy_name", r.energy.name()},
             {"energy_parameters", parameters_json(r.energy)},
-            {"guess", name_of(guess_names, r.options.guess)},
+            {"initial_guess", name_of(choice_names(r.options.guess), r.options.guess)},
+            {"scene", report_json(r.options.value)},
             {"projection", newton::projection_name(r.options.newton.projection)},
             {"solver", r.solver},
             {"mesh", mesh_json(r.poses)},

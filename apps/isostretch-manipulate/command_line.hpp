@@ -4,12 +4,10 @@
 
 #include "common/frame_flags.hpp"
 #include "common/look_flags.hpp"
-#include "common/output_folder.hpp"
+#include "common/option_flags.hpp"
 #include "common/repair_flags.hpp"
 #include "common/scene_input.hpp"
 #include "options.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -27,11 +25,10 @@ class CommandLine {
  public:
   void declare(CLI::App& cli);
 
-  // Both throw Failure: with ExitCode::command_line naming the option at fault, with ExitCode::input where it
-  // is a scene file.
+  // Both throw Error: of kind misuse naming the option at fault, of kind input where it is a scene file.
   Options options() const;
   // The scene file, if there is one, with what the command line adds or replaces.
-  Json scene() const;
+  scene::Value scene() const;
 
   MeshRepair repair() const;
   bool has_scene_file() const { return is_scene_file(input_); }
@@ -44,26 +41,25 @@ class CommandLine {
  private:
   void declare_files(CLI::App& cli);
   void declare_problem(CLI::App& cli);
-  void declare_solvers(CLI::App& cli);
+  void declare_rivals(CLI::App& cli);
   void declare_photo(CLI::App& cli);
   std::string path_from_here(const std::string& file) const;
-  void add_mesh(Json& scene) const;
-  void add_handles(Json& scene) const;
-  void add_photo(Json& scene) const;
+  void add_mesh(scene::Value& scene) const;
+  void add_handles(scene::Value& scene) const;
+  void add_photo(scene::Value& scene) const;
+  void add_rival(scene::Value& scene) const;
 
   std::filesystem::path input_;
   std::string out_, weights_cache_, compare_;
-  std::optional<std::string> mesh_, frames_, weights_, rotations_, blend_, method_, penalty_, photo_,
-      photo_fit_, solver_;
-  std::optional<double> alpha_, incompressibility_, margin_, largest_stretch_, gap_;
-  std::optional<int> max_iterations_, relinearize_, photo_cells_;
+  std::optional<std::string> mesh_, frames_, photo_, photo_fit_, rival_;
+  std::optional<int> photo_cells_;
   std::vector<std::string> handles_;
+  OptionFlags option_flags_;
   RepairFlags repair_flags_;
   FrameFlags frame_flags_;
   LookFlags look_;
   int refine_ = 1, repetitions_ = 1;
   double time_limit_ = 0, memory_limit_ = 0;
-  bool absolute_ = false;
 };
 
 }  // namespace isostretch::app::manipulate

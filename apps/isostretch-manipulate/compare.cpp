@@ -1,7 +1,7 @@
 #include "compare.hpp"
 
+#include <isostretch/core/numbers.hpp>
 #include "common/interrupt.hpp"
-#include "common/numbers.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "comparison.hpp"
@@ -35,18 +35,20 @@ class Match {
     choose();
     read();
     // Solvers decide on these.
-    for (const char* key : {"method", "penalty", "solver", "relinearize"}) scene_.erase(key);
+    scene_.take("rival");
+    if (scene::Value* group = scene_.find("manipulation"); group != nullptr)
+      for (const char* key : {"method", "penalty", "relinearize"}) group->take(key);
     name_files_from_anywhere();
     runs_.scene_file = out_ / "scene.json";
     runs_.weights_cache = options_.weights_cache.empty() ? out_ / "weights" : options_.weights_cache;
-    runs_.identity = fingerprint_ + '\n' + scene_.dump();
+    runs_.identity = fingerprint_ + '\n' + scene::to_json(scene_);
     runs_.refine = command_line.refine();
     runs_.threads = common.threads;
   }
 
   ExitCode run() {
     OutputFolder folder(out_);
-    folder.write_now("scene.json", scene_.dump(2) + "\n");
+    folder.write_now("scene.json", scene::to_json(scene_, 2) + "\n");
     Comparison comparison;
     comparison.name = name_;
     comparison.mesh = mesh_;
@@ -82,13 +84,13 @@ class Match {
 
   // The scene is written to another folder.
   void name_files_from_anywhere() {
-    const auto absolute = [&](Json& file) {
-      if (file.is_string()) file = fs::absolute(command_line_.folder() / file.get<std::string>()).string();
+    const auto absolute = [&](scene::Value& file) {
+      if (file.is_text()) file = fs::absolute(command_line_.folder() / file.text()).string();
     };
-    if (scene_.contains("mesh")) absolute(scene_["mesh"]);
-    if (!scene_.contains("photo")) return;
-    Json& photo = scene_["photo"];
-    absolute(photo.is_object() && photo.contains("file") ? photo["file"] : photo);
+    if (scene_.has("mesh")) absolute(scene_["mesh"]);
+    if (!scene_.has("photo")) return;
+    scene::Value& photo = scene_["photo"];
+    absolute(photo.has("file") ? photo["file"] : photo);
   }
 
   // "all", "convex", "nearby" or names with commas.
@@ -207,7 +209,7 @@ class Match {
   const CommandLine& command_line_;
   const CommonOptions& common_;
   Options options_;
-  Json scene_;
+  scene::Value scene_;
   fs::path out_;
   std::string name_;         // of the scene
   std::string fingerprint_;  // of the mesh, whose file may change

@@ -1,6 +1,5 @@
 #include "input.hpp"
 
-#include "common/body_reader.hpp"
 #include "common/scene_input.hpp"
 #include "scene_reader.hpp"
 
@@ -9,7 +8,7 @@
 namespace isostretch::app::manipulate {
 namespace {
 
-SolidSpec read_spec(const CommandLine& command_line, const Json& scene) {
+SolidSpec read_spec(const CommandLine& command_line, const scene::Value& scene) {
   SolidSpec spec = reading_scene(command_line.input(), [&] {
     return read_body_spec(scene, command_line.folder(), command_line.refine());
   });
@@ -19,7 +18,7 @@ SolidSpec read_spec(const CommandLine& command_line, const Json& scene) {
 
 }  // namespace
 
-SolidModel read_body(const CommandLine& command_line, const Json& scene) {
+SolidModel read_body(const CommandLine& command_line, const scene::Value& scene) {
   const SolidSpec spec = read_spec(command_line, scene);
   return reading_body(command_line.input(), spec, [&] {
     SolidModel body = deformation::load_solid(spec);
@@ -28,13 +27,13 @@ SolidModel read_body(const CommandLine& command_line, const Json& scene) {
   });
 }
 
-SolidCheck check_solid(const CommandLine& command_line, const Json& scene) {
+SolidCheck check_solid(const CommandLine& command_line, const scene::Value& scene) {
   const SolidSpec spec = read_spec(command_line, scene);
   return reading_body(command_line.input(), spec,
                       [&] { return deformation::check_solid(spec, require_linear); });
 }
 
-Scene read_scene(const CommandLine& command_line, const Json& scene, const SolidModel& body) {
+Scene read_scene(const CommandLine& command_line, const scene::Value& scene, const SolidModel& body) {
   return reading_scene(command_line.input(), [&] {
     Scene result = read_scene(scene, body.dim);
     require_holds(result.format, body);

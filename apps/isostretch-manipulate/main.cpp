@@ -13,6 +13,11 @@ int main(int argc, char** argv) {
            "proof of how close to the best possible.",
        .examples = {"isostretch-manipulate body.msh --handle \"slab:y,min,0.05\" --handle "
                     "\"slab:y,max,0.1;rotate=0,1,0:180\" --out out"},
+       .renamed = {{"--solver", "--rival"},
+                   {"--repeat", "--repetitions"},
+                   {"--gap", "--gap-tolerance"},
+                   {"--weights", "--element-weights"},
+                   {"--absolute", "--length-unit=mesh"}},
        .declare = [&](CLI::App& cli) { command_line.declare(cli); },
        .body =
            [&](const CommonOptions& common) {

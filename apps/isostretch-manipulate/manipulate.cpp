@@ -37,9 +37,9 @@ class Job {
   Job(const CommandLine& command_line, const CommonOptions& common)
       : options_(command_line.options()),
         common_(common),
-        json_(command_line.scene()),
-        body_(timed(seconds_.read, [&] { return read_body(command_line, json_); })),
-        scene_(read_scene(command_line, json_, body_)),
+        value_(command_line.scene()),
+        body_(timed(seconds_.read, [&] { return read_body(command_line, value_); })),
+        scene_(read_scene(command_line, value_, body_)),
         handle_set_(read_rig(command_line, scene_, body_)),
         photo_(read_photo(command_line)),
         strain_(body_.elements),
@@ -74,7 +74,7 @@ class Job {
  private:
   std::optional<PhotoFrames> read_photo(const CommandLine& command_line) const {
     const auto spec =
-        reading_scene(command_line.input(), [&] { return read_photo_spec(json_, command_line.folder()); });
+        reading_scene(command_line.input(), [&] { return read_photo_spec(value_, command_line.folder()); });
     if (!spec) return {};
     return with_error_kind(ErrorKind::input,
                            [&] { return std::optional<PhotoFrames>(std::in_place, *spec, body_); });
@@ -220,7 +220,7 @@ class Job {
   PhaseSeconds seconds_;
   Options options_;
   const CommonOptions& common_;
-  Json json_;
+  scene::Value value_;
   SolidModel body_;
   Scene scene_;
   HandleSet handle_set_;

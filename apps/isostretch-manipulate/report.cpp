@@ -1,6 +1,7 @@
 #include "report.hpp"
 #include "common/handle_miss_report.hpp"
 
+#include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
 #include "common/threads.hpp"
 
@@ -254,28 +255,29 @@ Json totals_json(const Result& r) {
 }  // namespace
 
 Json summary_json(const Result& r, const PhaseSeconds& seconds) {
-  return {{"outcome", r.outcome == Outcome::finished ? "finished" : "stopped"},
-          {"certified", r.scene.rival.empty() && r.outcome == Outcome::finished && not_reached(r) == 0},
-          {"message", verdict(r)},
-          {"totals", totals_json(r)},
-          {"seconds",
-           {{"total", seconds.total},
-            {"read", seconds.read},
-            {"weights", seconds.weights},
-            {"solve", seconds.solve},
-            {"write", seconds.write}}},
-          {"mesh", mesh_json(r.body)},
-          {"handles", handles_json(r.handle_set)},
-          {"handle_weights", weights_json(r.rotations, seconds.weights)},
-          {"blend", r.rotations.weights() ? Json(name_of(blend_names, r.scene.blend)) : Json()},
-          {"method", r.scene.rival.empty() ? std::string(sdp_penalty::method_name(r.scene.solver.method))
-                                           : r.scene.rival},
-          {"warnings", r.warnings},
-          {"frames", r.frames},
-          {"scene", r.scene.json},
-          {"threads", thread_count()},
-          {"instruction_set", isa_name(active_isa())},
-          {"version", version_string}};
+  return {
+      {"outcome", r.outcome == Outcome::finished ? "finished" : "stopped"},
+      {"certified", r.scene.rival.empty() && r.outcome == Outcome::finished && not_reached(r) == 0},
+      {"message", verdict(r)},
+      {"totals", totals_json(r)},
+      {"seconds",
+       {{"total", seconds.total},
+        {"read", seconds.read},
+        {"weights", seconds.weights},
+        {"solve", seconds.solve},
+        {"write", seconds.write}}},
+      {"mesh", mesh_json(r.body)},
+      {"handles", handles_json(r.handle_set)},
+      {"handle_weights", weights_json(r.rotations, seconds.weights)},
+      {"blend", r.rotations.weights() ? Json(name_of(choice_names(r.scene.blend), r.scene.blend)) : Json()},
+      {"method",
+       r.scene.rival.empty() ? std::string(sdp_penalty::method_name(r.scene.solver.method)) : r.scene.rival},
+      {"warnings", r.warnings},
+      {"frames", r.frames},
+      {"scene", report_json(r.scene.value)},
+      {"threads", thread_count()},
+      {"instruction_set", isa_name(active_isa())},
+      {"version", version_string}};
 }
 
 }  // namespace isostretch::app::manipulate

@@ -42,9 +42,9 @@ void read_results(const Run& run, const ProgramResult& result, Contestant& c) {
 
 std::vector<std::string> SolverRuns::arguments(const Run& run) const {
   std::vector<std::string> words{scene_file.string(),
-                                 "--solver",
+                                 "--rival",
                                  run.solver,
-                                 "--gap",
+                                 "--gap-tolerance",
                                  to_text(run.gap),
                                  "--out",
                                  run.folder.string(),

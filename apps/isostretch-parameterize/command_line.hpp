@@ -1,13 +1,13 @@
 #pragma once
 
+#include "common/energy_flags.hpp"
+#include "common/option_flags.hpp"
 #include "common/repair_flags.hpp"
-#include "common/solver_flags.hpp"
 #include "options.hpp"
+#include "pin_text.hpp"
 
-#include <isostretch/energies/any_energy.hpp>
-
+#include <filesystem>
 #include <string>
-#include <vector>
 
 namespace CLI {
 class App;
@@ -20,29 +20,22 @@ class CommandLine {
  public:
   void declare(CLI::App& cli);
 
-  // All of these throw Failure with ExitCode::command_line naming the option at fault.
+  // Throws Error: of kind misuse naming the option at fault, of kind input where it is a scene file.
   Options options() const;
-  energies::AnyEnergy energy() const;
 
  private:
-  void declare_energy(CLI::App& cli);
-  void declare_pins(CLI::App& cli);
-  void declare_cut(CLI::App& cli);
-  void declare_layout(CLI::App& cli);
-  void declare_solve(CLI::App& cli);
   void declare_files(CLI::App& cli);
+  void declare_pins(CLI::App& cli);
+  scene::Value scene() const;
 
-  std::string model_, out_, energy_ = "symmetric_dirichlet", initial_ = "tutte";
-  SolverFlags solver_flags_;
-  std::vector<std::string> parameters_, pins_, soft_pins_, horizontal_, vertical_;
-  std::string holes_ = "short", seams_ = "input", boundary_ = "free", corners_, pack_ = "auto",
-              overlap_ = "auto", uv_units_ = "auto";
-  int cut_tips_ = Options().cut_tips, max_cuts_ = Options().max_cuts;
-  double max_distortion_ = 0, margin_ = Options().margin;
+  std::filesystem::path input_;
+  std::string out_;
+  EnergyFlags energy_flags_;
+  OptionFlags option_flags_;
+  PinTexts pins_;
   std::string weld_;
   const CLI::Option* weld_option_ = nullptr;
-  bool check_ = false, triangulate_ = false, repair_ = false, no_cut_ = false, no_picture_ = false,
-       glb_ = false;
+  bool check_ = false, triangulate_ = false, repair_ = false, no_picture_ = false, glb_ = false;
 };
 
 }  // namespace isostretch::app::parameterize

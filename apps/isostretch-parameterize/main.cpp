@@ -10,9 +10,13 @@ int main(int argc, char** argv) {
        .purpose =
            "Flattens a surface with as little distortion as an energy allows, without flipped triangles.",
        .examples = {"isostretch-parameterize model.obj --max-distortion 2 --out out"},
+       .renamed = {{"--grad-tol", "--gradient-tolerance"},
+                   {"--solver", "--backend"},
+                   {"--seams ignore", "--no-input-seams"},
+                   {"--seams input", ""}},
        .declare = [&](CLI::App& cli) { command_line.declare(cli); },
        .body =
            [&](const CommonOptions& common) {
-             return parameterize::parameterize(command_line.options(), command_line.energy(), common);
+             return parameterize::parameterize(command_line.options(), common);
            }});
 }

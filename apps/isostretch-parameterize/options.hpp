@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/energies/any_energy.hpp>
 #include <isostretch/parameterization/options.hpp>
 
 #include <filesystem>
@@ -19,6 +20,7 @@ using parameterization::UvUnits;
 
 /// The command line.
 struct Options : parameterization::Options {
+  energies::AnyEnergy energy;
   std::filesystem::path model;
   std::filesystem::path out;
   bool check = false;  // only say what is wrong with the model

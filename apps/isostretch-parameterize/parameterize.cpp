@@ -70,11 +70,10 @@ ExitCode print_check(const Options& options) {
   return flattenable(report) ? ExitCode::success : ExitCode::input;
 }
 
-parameterization::Parameterization flatten(const Input& input, const energies::AnyEnergy& energy,
-                                           const Options& options) {
+parameterization::Parameterization flatten(const Input& input, const Options& options) {
   return with_error_prefix(options.model.string(), [&] {
     try {
-      return parameterization::parameterize(input.mesh, energy, options, terminal_monitor());
+      return parameterization::parameterize(input.mesh, options.energy, options, terminal_monitor());
     } catch (const Error& error) {
       if (error.has_kind() || options.initial == Initial::input || options.repair ||
           !repair_would_help(input.mesh))
@@ -86,18 +85,17 @@ parameterization::Parameterization flatten(const Input& input, const energies::A
 
 }  // namespace
 
-ExitCode parameterize(const Options& options, const energies::AnyEnergy& energy,
-                      const CommonOptions& common) {
+ExitCode parameterize(const Options& options, const CommonOptions& common) {
   if (options.check) return print_check(options);
   const Timer timer;
   PhaseSeconds seconds;
   const Input input = timed(seconds.read, [&] { return read_input(options); });
   OutputFolder folder(options.out);
-  const parameterization::Parameterization p = flatten(input, energy, options);
+  const parameterization::Parameterization p = flatten(input, options);
   clear_progress();
   seconds.read += p.times.seconds("domain");
   seconds.initial = p.times.seconds("start");
-  const Result result{options, energy, input, p, p.domain, p.start, p.solution, p.layout, p.split};
+  const Result result{options, options.energy, input, p, p.domain, p.start, p.solution, p.layout, p.split};
   const Written written = timed(seconds.write, [&] { return write(folder, result); });
   seconds.total = timer.seconds();
   const Json summary = summary_json(result, seconds);

@@ -1,15 +1,22 @@
 #pragma once
 
-#include "options.hpp"
+#include <isostretch/scene/value.hpp>
 
 #include <string>
 #include <vector>
 
 namespace isostretch::app::parameterize {
 
-// VERTEX or VERTEX:U,V, and VERTEX:U,V or VERTEX:U,V:WEIGHT. Throw Error naming the text that is neither, and
-// a vertex that is pinned hard twice.
-std::vector<Pin> parse_pins(const std::vector<std::string>& texts);
-std::vector<SoftPin> parse_soft_pins(const std::vector<std::string>& texts);
+/// Pins and lines as the command line gives them.
+struct PinTexts {
+  std::vector<std::string> hard;                  ///< VERTEX or VERTEX:U,V
+  std::vector<std::string> soft;                  ///< VERTEX:U,V or VERTEX:U,V:WEIGHT
+  std::vector<std::string> horizontal, vertical;  ///< A,B[,C...]
+  std::string corners;                            ///< A,B,C,D
+};
+
+/// Puts them into "pins", "aligned" and "corners" of "parameterization" in a scene. Throws Error naming the
+/// option and the text that is none of these.
+void add_pins(const PinTexts& texts, scene::Value& scene);
 
 }  // namespace isostretch::app::parameterize

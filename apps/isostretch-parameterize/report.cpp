@@ -1,7 +1,7 @@
 #include "report.hpp"
 
-#include "choice_names.hpp"
 #include "common/newton_report.hpp"
+#include "common/scene_input.hpp"
 #include "common/threads.hpp"
 
 #include <isostretch/core/isa.hpp>
@@ -9,6 +9,7 @@
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/core/version.hpp>
 #include <isostretch/parameterization/distortion_statistics.hpp>
+#include <isostretch/scene/option_values.hpp>
 #include <isostretch/surface/seams.hpp>
 
 #include <nlohmann/json.hpp>
@@ -56,32 +57,14 @@ Json aligned_json(const Options& options) {
 }
 
 Json options_json(const Options& options) {
-  const newton::Options& solve = options.newton;
-  return {{"initial", name_of(initial_names, options.initial)},
-          {"projection", newton::projection_name(solve.projection)},
-          {"gradient_tolerance", solve.gradient_tolerance},
-          {"scaled_gradient_tolerance", solve.scaled_gradient_tolerance},
-          {"max_iterations", solve.max_iterations},
-          {"time_limit", solve.time_limit},
-          {"max_expansion", solve.max_expansion},
-          {"solver", sparse::backend_name(solve.solver.backend)},
-          {"ordering", sparse::ordering_name(solve.solver.ordering)},
-          {"boundary", name_of(boundary_names, options.boundary)},
-          {"corners", options.corners},
-          {"aligned", aligned_json(options)},
-          {"repair", options.repair},
-          {"weld", options.weld ? Json(*options.weld) : Json()},
-          {"cut", options.cut},
-          {"input_seams", options.input_seams},
-          {"holes", name_of(holes_names, options.holes)},
-          {"cut_tips", options.cut_tips},
-          {"max_distortion", options.max_distortion},
-          {"max_cuts", options.max_cuts},
-          {"pack", name_of(pack_names, options.pack)},
-          {"margin", options.margin},
-          {"overlap", name_of(overlap_names, options.overlap)},
-          {"uv_units", name_of(uv_units_names, options.units())},
-          {"pins", pins_json(options)}};
+  Json json = report_json(scene::options_value<parameterization::Options>(options));
+  json["uv_units"] = name_of(choice_names(options.uv_units), options.units());
+  json["corners"] = options.corners;
+  json["aligned"] = aligned_json(options);
+  json["pins"] = pins_json(options);
+  json["repair"] = options.repair;
+  json["weld"] = options.weld ? Json(*options.weld) : Json();
+  return json;
 }
 
 Json mesh_json(const Result& r) {

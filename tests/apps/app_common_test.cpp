@@ -1,5 +1,5 @@
+#include <isostretch/core/numbers.hpp>
 #include "common/number_table.hpp"
-#include "common/numbers.hpp"
 #include "common/output_folder.hpp"
 #include "scratch.hpp"
 

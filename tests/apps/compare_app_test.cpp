@@ -161,7 +161,7 @@ TEST_CASE("compare: methods on a face and a bar, with one optimum each, tables, 
   CHECK(read_json(scratch.path("out/comparison.json"))["problems"] == comparison["problems"]);
   std::vector<std::string> other = command;
   other.back() = "2";
-  other.insert(other.end(), {"--no-picture", "--repeat", "1"});
+  other.insert(other.end(), {"--no-picture", "--repetitions", "1"});
   REQUIRE(compare(other).code == 0);
   const auto again = read_json(scratch.path("out/comparison.json"));
   CHECK(again["machine"]["threads"] == 2);
@@ -184,8 +184,8 @@ TEST_CASE("compare: a mesh and energies from the command line; unsuited methods 
   const Scratch scratch;
   mesh::write_obj(scratch.path("my face.obj"), mesh::procedural_face(6));
   const Outcome run =
-      compare({scratch.path("my face.obj"), "-e", "symmetric_dirichlet,arap", "-m", "all", "--repeat", "1",
-               "--max-iterations", "3", "--no-picture", "-o", scratch.path("out")});
+      compare({scratch.path("my face.obj"), "-e", "symmetric_dirichlet,arap", "-m", "all", "--repetitions",
+               "1", "--max-iterations", "3", "--no-picture", "-o", scratch.path("out")});
   REQUIRE_MESSAGE(run.code == 0, run.err);
   const auto comparison = read_json(scratch.path("out/comparison.json"));
   REQUIRE(comparison["problems"].size() == 2);
@@ -264,7 +264,8 @@ TEST_CASE("compare: one run by itself, as the program calls itself") {
   CHECK(trace.rfind("iteration,seconds,energy,gradient_inf_norm,step,", 0) == 0);
   CHECK(std::count(trace.begin(), trace.end(), '\n') == summary["iterations"].get<long>() + 2);
   run = compare({"--scene", scene, "--run", "face", "-m", "isostretch", "--from",
-                 scratch.path("first/positions.bin"), "--grad-tol", "0", "-o", scratch.path("second")});
+                 scratch.path("first/positions.bin"), "--gradient-tolerance", "0", "-o",
+                 scratch.path("second")});
   REQUIRE_MESSAGE(run.code == 0, run.err);
   const auto polished = read_json(scratch.path("second/summary.json"));
   CHECK(polished["status"] == "converged_roundoff");
@@ -317,9 +318,9 @@ TEST_CASE("compare: Ctrl-C during energies ends the run there is, and the same c
 
 TEST_CASE("compare: a mesh that has changed behind its name, and results that were cut off, are made again") {
   const Scratch scratch;
-  const std::vector<std::string> command{
-      scratch.path("face.obj"), "-m",          "isostretch", "--repeat", "1", "-o",
-      scratch.path("out"),      "--no-picture"};
+  const std::vector<std::string> command{scratch.path("face.obj"), "-m",          "isostretch",
+                                         "--repetitions",          "1",           "-o",
+                                         scratch.path("out"),      "--no-picture"};
   const auto optimum = [&] {
     const Outcome run = compare(command);
     REQUIRE_MESSAGE(run.code == 0, run.err);
@@ -345,8 +346,8 @@ TEST_CASE("compare: a wrong command line is exit code 2, and leaves nothing") {
   check_failure(scratch, {face, "-o", out, "-e", "arap,magic"}, 2,
                 {"--energy: unknown energy 'magic'", "symmetric_dirichlet"});
   check_failure(scratch, {face, "-o", out, "-p", "magic=1"}, 2, {"--param: none of the energies", "'magic'"});
-  check_failure(scratch, {face, "-o", out, "--repeat", "0"}, 2, {"--repeat"});
-  check_failure(scratch, {face, "-o", out, "--grad-tol", "-1"}, 2, {"--grad-tol"});
+  check_failure(scratch, {face, "-o", out, "--repetitions", "0"}, 2, {"--repetitions"});
+  check_failure(scratch, {face, "-o", out, "--gradient-tolerance", "-1"}, 2, {"--gradient-tolerance"});
   check_failure(scratch, {face, "-o", out, "--scene", "scene.json"}, 2, {"--scene"});
   check_failure(scratch, {"--run", "face", "-o", out}, 2, {"--run"});
   check_failure(scratch, {"--scene", face, "-o", out}, 2, {"--scene: a scene is FILE.json"});

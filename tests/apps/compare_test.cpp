@@ -1,4 +1,4 @@
-// Rivals by isostretch-manipulate: one with --solver, many with --compare.
+// Rivals by isostretch-manipulate: one with --rival, many with --compare.
 #include "manipulate_app.hpp"
 
 #include <doctest/doctest.h>
@@ -46,7 +46,7 @@ std::string rectangle(double width) {
 TEST_CASE("solver: a rival makes the frames, and the summary has its account") {
   const Scratch scratch;
   const Outcome run = manipulate(
-      {write_scene(scratch, swirl(180)), "--solver", "locally_injective", "-o", scratch.path("out")});
+      {write_scene(scratch, swirl(180)), "--rival", "locally_injective", "-o", scratch.path("out")});
   REQUIRE_MESSAGE(run.code == 0, run.err);
   const auto summary = read_json(scratch.path("out/summary.json"));
   CHECK(summary["method"] == "locally_injective");
@@ -69,7 +69,7 @@ TEST_CASE("solver: a rival makes the frames, and the summary has its account") {
 TEST_CASE("solver: one that is none for the instance fails the frame by its own words") {
   const Scratch scratch;
   const Outcome run = manipulate(
-      {write_scene(scratch, squashed_bar()), "--solver", "lifted_content", "-o", scratch.path("out")});
+      {write_scene(scratch, squashed_bar()), "--rival", "lifted_content", "-o", scratch.path("out")});
   CHECK(run.code == 6);
   CHECK(run.err.find("it needs a target at every node of the boundary") != std::string::npos);
   CHECK(read_json(scratch.path("out/summary.json"))["frames"][1]["status"] == "unsuited");
@@ -79,7 +79,7 @@ TEST_CASE("solver: one that is none for the instance fails the frame by its own 
 TEST_CASE("solver: more memory than is allowed is a status, and the rest is written") {
   const Scratch scratch;
   for (const char* solver : {"interior_point", "penalty"}) {
-    const Outcome run = manipulate({write_scene(scratch, swirl(180, 200)), "--solver", solver,
+    const Outcome run = manipulate({write_scene(scratch, swirl(180, 200)), "--rival", solver,
                                     "--memory-limit", "60", "--no-picture", "-o", scratch.path("out")});
     CAPTURE(run.err);
     CHECK(run.code == 6);
@@ -100,7 +100,7 @@ TEST_CASE("solver: what does not go with it, and names there are not") {
   run = manipulate({write_scene(scratch, scene), "-o", scratch.path("out")});
   CHECK(run.code == 3);
   CHECK(run.err.find("relinearize: does not go with a solver") != std::string::npos);
-  run = manipulate({write_scene(scratch, swirl(90)), "--solver", "mosek", "-o", scratch.path("out")});
+  run = manipulate({write_scene(scratch, swirl(90)), "--rival", "mosek", "-o", scratch.path("out")});
   CHECK(run.code == 2);
   run =
       manipulate({write_scene(scratch, swirl(90)), "--compare", "penalty,mosek", "-o", scratch.path("out")});
@@ -126,7 +126,7 @@ TEST_CASE("compare: every solver in a process of its own, one optimum, a table, 
   const std::vector<std::string> command{write_scene(scratch, swirl(180)),
                                          "--compare",
                                          "interior_point,penalty,foldover_free",
-                                         "--repeat",
+                                         "--repetitions",
                                          "3",
                                          "--time-limit",
                                          "60",
@@ -213,11 +213,12 @@ TEST_CASE("compare: without a feasible position there is no optimum, and no erro
 
 TEST_CASE("compare: flags that choose a method are refused beside it") {
   const Scratch scratch;
-  for (const char* flag : {"--solver=penalty", "--method=penalty", "--relinearize=2"})
+  for (const char* flag : {"--rival=penalty", "--method=penalty", "--relinearize=2"})
     CHECK(
         manipulate({write_scene(scratch, swirl(90)), "--compare", "penalty", flag, "-o", scratch.path("out")})
             .code == 2);
-  CHECK(manipulate({write_scene(scratch, swirl(90)), "--repeat", "2", "-o", scratch.path("out")}).code == 2);
+  CHECK(manipulate({write_scene(scratch, swirl(90)), "--repetitions", "2", "-o", scratch.path("out")}).code ==
+        2);
 }
 
 TEST_CASE("compare: a run that hits its limit is shown as that") {

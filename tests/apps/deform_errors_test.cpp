@@ -319,10 +319,10 @@ TEST_CASE("deform: wrong command lines are exit code 2") {
       {{"--handle", "all", "--young", "1"}, "--poisson"},
       {{"--handle", "all", "--young", "1", "--poisson", "0.3"}, "material"},
       {{"--handle", "all", "--frames", "0"}, "0"},
-      {{"--handle", "all", "--guess", "good"}, "harmonic"},
+      {{"--handle", "all", "--initial-guess", "good"}, "harmonic"},
       {{"--handle", "all", "--format", "gif"}, "vtu"},
       {{"--handle", "all", "--projection", "sharp"}, "sharp"},
-      {{"--handle", "all", "--solver", "abacus"}, "abacus"},
+      {{"--handle", "all", "--backend", "abacus"}, "abacus"},
       {{"--handle", "all", "--order", "3"}, "3"},
       {{"--no-such-option"}, "--no-such-option"},
   };

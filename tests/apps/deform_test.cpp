@@ -216,12 +216,13 @@ TEST_CASE("deform: materials given by Lame parameters agree at small strain, in 
       scene["material"] = {{"mu", 3}, {"lambda", 5}};
       scene["handles"][1].erase("rotate");
       scene["handles"][1]["translate"] = flat ? Json{2e-4, 0} : Json{2e-4, 0, 0};
-      const auto summary = solved(scratch, scene, {"--grad-tol", "1e-9"});
+      const auto summary = solved(scratch, scene, {"--gradient-tolerance", "1e-9"});
       // The slope of psi at rest is zero, but stable_neo_hookean_log has a constant: a difference of
       // energies.
       Json still = scene;
       still["handles"][1]["translate"] = flat ? Json{0, 0} : Json{0, 0, 0};
-      const double energy_at_rest = solved(scratch, still, {"--grad-tol", "1e-9"})["frames"][1]["energy"];
+      const double energy_at_rest =
+          solved(scratch, still, {"--gradient-tolerance", "1e-9"})["frames"][1]["energy"];
       const double gained = summary["frames"][1]["energy"].get<double>() - energy_at_rest;
       if (expected == 0) expected = gained;
       CAPTURE(energy);

@@ -75,6 +75,6 @@ TEST_CASE("interpolate: a wrong command line is exit code 2, a folder that canno
   check_failure(scratch, {a, a, "-o", out, "-e", "mips_2d"}, 2, {"mips_2d", "3D"});
   check_failure(scratch, {a, a, "-o", out, "-p", "nu=1"}, 2, {"nu"});
   check_failure(scratch, {a, a, "-o", out, "-e", "dirichlet"}, 2, {"'dirichlet'", "minimum at rest"});
-  check_failure(scratch, {a, a, "-o", out, "--guess", "rest"}, 2, {"--guess", "extrapolate"});
+  check_failure(scratch, {a, a, "-o", out, "--initial-guess", "rest"}, 2, {"--initial-guess", "extrapolate"});
   check_failure(scratch, {a, a, "-o", a + "/out"}, 4, {"a.msh/out"});
 }

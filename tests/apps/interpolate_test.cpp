@@ -100,7 +100,7 @@ TEST_CASE("interpolate: a bar that is twisted and bent: no inversions, one energ
 TEST_CASE("interpolate: exchanging the poses turns the frames around") {
   const Scratch scratch;
   const mesh::TetMesh a = straight_bar(), b = moved(twisted_and_bent(a, 0.5 * pi, 0.75 * pi), 1.1);
-  const std::vector<std::string> exact{"--grad-tol", "1e-9"};
+  const std::vector<std::string> exact{"--gradient-tolerance", "1e-9"};
   solved(scratch, a, b, exact, "there");
   solved(scratch, b, a, exact, "back");
   for (int i = 0; i <= frames; ++i)
@@ -110,7 +110,7 @@ TEST_CASE("interpolate: exchanging the poses turns the frames around") {
 TEST_CASE("interpolate: a rigid motion of a pose changes the placement only") {
   const Scratch scratch;
   const mesh::TetMesh a = straight_bar(), b = twisted_and_bent(a, 0.5 * pi, 0.5 * pi);
-  const std::vector<std::string> exact{"--grad-tol", "1e-9"};
+  const std::vector<std::string> exact{"--gradient-tolerance", "1e-9"};
   const auto still = solved(scratch, a, b, exact, "still");
   const auto far = solved(scratch, a, moved(b, 2.5), exact, "far");
   for (int i = 0; i <= frames; ++i) {
@@ -212,11 +212,11 @@ TEST_CASE("interpolate: in the plane, with pictures") {
 TEST_CASE("interpolate: every start of the frames leads to the same ones, on any number of threads") {
   const Scratch scratch;
   const mesh::TetMesh a = straight_bar(), b = twisted_and_bent(a, 0.8 * pi, 0.5 * pi);
-  solved(scratch, a, b, {"--guess", "previous", "--grad-tol", "1e-9"}, "simple", 12);
-  const auto quick = solved(scratch, a, b, {"--grad-tol", "1e-9", "--threads", "1"}, "quick", 12);
-  solved(scratch, a, b, {"--grad-tol", "1e-9", "--threads", "2"}, "two", 12);
+  solved(scratch, a, b, {"--initial-guess", "previous", "--gradient-tolerance", "1e-9"}, "simple", 12);
+  const auto quick = solved(scratch, a, b, {"--gradient-tolerance", "1e-9", "--threads", "1"}, "quick", 12);
+  solved(scratch, a, b, {"--gradient-tolerance", "1e-9", "--threads", "2"}, "two", 12);
   const auto usual = solved(scratch, a, b, {}, "usual", 12);
-  const auto usual_simple = solved(scratch, a, b, {"--guess", "previous"}, "usual_simple", 12);
+  const auto usual_simple = solved(scratch, a, b, {"--initial-guess", "previous"}, "usual_simple", 12);
   CHECK(usual["iterations"].get<int>() < usual_simple["iterations"].get<int>());
   CHECK(usual["factorizations"].get<int>() < quick["factorizations"].get<int>());
   for (int i = 0; i <= 12; ++i) {
@@ -270,7 +270,7 @@ TEST_CASE("interpolate: Ctrl-C and limits end it, and what is done is written") 
   }
   SUBCASE("iterations: every frame is kept as it is") {
     std::vector<std::string> limited = command("4");
-    limited.insert(limited.end(), {"--max-iterations", "1", "--grad-tol", "1e-12"});
+    limited.insert(limited.end(), {"--max-iterations", "1", "--gradient-tolerance", "1e-12"});
     const Outcome run = interpolate(limited);
     CHECK_MESSAGE(run.code == 5, run.err);
     CHECK(run.err.find("did not converge") != std::string::npos);

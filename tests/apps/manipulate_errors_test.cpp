@@ -139,7 +139,7 @@ TEST_CASE("manipulate: a wrong command line is exit code 2") {
   check_failure(scratch, {scene, "-o", out, "--frames", "0"}, 2, {"--frames", "'0'"});
   check_failure(scratch, {scene, "-o", out, "--frames", "1:2"}, 2, {"no frame 2"});
   check_failure(scratch, {scene, "-o", out, "--method", "luck"}, 2, {"--method", "luck"});
-  check_failure(scratch, {scene, "-o", out, "--gap", "nan"}, 2, {"--gap"});
+  check_failure(scratch, {scene, "-o", out, "--gap-tolerance", "nan"}, 2, {"--gap-tolerance"});
   check_failure(scratch, {scene}, 2, {"--out"});
 }
 

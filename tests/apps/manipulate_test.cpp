@@ -127,7 +127,8 @@ TEST_CASE("manipulate: the result does not depend on the units of the mesh, unle
   scene["handles"][0]["select"]["patch"]["distance"] = 100;
   scene["handles"][1]["select"]["sphere"] = {{"center", {5, 5}}, {"radius", 1.3}};
   CHECK(solved(scratch, scene)["frames"][1]["energy"].get<double>() == Approx(small).epsilon(1e-5));
-  CHECK(solved(scratch, scene, {"--absolute"})["frames"][1]["energy"].get<double>() > 1.002 * small);
+  CHECK(solved(scratch, scene, {"--length-unit", "mesh"})["frames"][1]["energy"].get<double>() >
+        1.002 * small);
 }
 
 TEST_CASE("manipulate: a hard handle arrives, soft ones nearly") {
@@ -315,7 +316,7 @@ TEST_CASE("manipulate: too few iterations and no time are exit code 5 or 6, with
   const Scratch scratch;
   const std::string scene = write_scene(scratch, swirl(180, 8, 2));
   const Outcome few = manipulate(
-      {scene, "-o", scratch.path("few"), "--max-iterations", "3", "--gap", "1e-9", "--no-picture"});
+      {scene, "-o", scratch.path("few"), "--max-iterations", "3", "--gap-tolerance", "1e-9", "--no-picture"});
   CHECK((few.code == 5 || few.code == 6));
   CHECK(read_json(scratch.path("few/summary.json"))["certified"] == false);
   const Outcome late =

@@ -159,7 +159,7 @@ TEST_CASE("seams of the input are respected, or ignored when told") {
   CHECK_MESSAGE(
       said.err.find("cut along the input's seams: " + cut + " edges, 1 chart\n") != std::string::npos,
       said.err);
-  const Result anew = flatten(scratch, first.mesh, {"--seams", "ignore"});
+  const Result anew = flatten(scratch, first.mesh, {"--no-input-seams"});
   CHECK(anew.summary["energy"].get<double>() < again.summary["energy"].get<double>());
 }
 
@@ -194,7 +194,7 @@ TEST_CASE("every linear solver flattens") {
   const double energy = flatten(scratch, mesh::procedural_face(8)).summary["energy"].get<double>();
   for (const char* solver : {"eigen_ldlt", "pcg"}) {
     CAPTURE(solver);
-    CHECK(flatten(scratch, mesh::procedural_face(8), {"--solver", solver}).summary["energy"].get<double>() ==
+    CHECK(flatten(scratch, mesh::procedural_face(8), {"--backend", solver}).summary["energy"].get<double>() ==
           doctest::Approx(energy).epsilon(1e-8));
   }
 }

@@ -86,7 +86,7 @@ TEST_CASE("a face is flattened and everything is written") {
     CHECK(summary["mesh"]["vertices"] == input.vertices.rows());
     CHECK(summary["mesh"]["triangles"] == input.triangles.rows());
     CHECK(summary["mesh"]["area"].get<double>() == Approx(9));
-    CHECK(summary["options"]["projection"] == "adaptive");
+    CHECK(summary["options"]["newton"]["projection"] == "adaptive");
     CHECK(summary["distortion"]["min_sigma"].get<double>() > 0);
     CHECK(summary["distortion"]["max_sigma"].get<double>() >=
           summary["distortion"]["mean_sigma"].get<double>());
@@ -121,7 +121,7 @@ TEST_CASE("a face is flattened and everything is written") {
   }
   SUBCASE("the result is a start that has converged already") {
     const Outcome again = parameterize({scratch.path("out/face_uv.obj"), "--initial", "input", "--out",
-                                        scratch.path("again"), "--grad-tol", "1e-3"});
+                                        scratch.path("again"), "--gradient-tolerance", "1e-3"});
     CHECK_MESSAGE(again.code == 0, again.err);
     const auto second = read_json(scratch.path("again/summary.json"));
     CHECK(second["iterations"] == 0);
@@ -191,8 +191,9 @@ TEST_CASE("a closed surface is cut open with a notice") {
   CHECK(mesh::count_flipped(result.uv, result.uv_triangles) == 0);
 
   SUBCASE("and the seam is understood when the result is the next start") {
-    const Outcome again = parameterize({scratch.path("out/ball_uv.obj"), "--initial", "input", "-o",
-                                        scratch.path("again"), "--no-picture", "--grad-tol", "1e-3"});
+    const Outcome again =
+        parameterize({scratch.path("out/ball_uv.obj"), "--initial", "input", "-o", scratch.path("again"),
+                      "--no-picture", "--gradient-tolerance", "1e-3"});
     CHECK_MESSAGE(again.code == 0, again.err);
     const auto second = read_json(scratch.path("again/summary.json"));
     CHECK(second["iterations"] == 0);
@@ -231,7 +232,7 @@ TEST_CASE("parameters reach the energy") {
 TEST_CASE("a published disk converges as published" * outside_data({"meshes/disks/lilium_6k.obj"})) {
   const std::string model = outside_path("meshes/disks/lilium_6k.obj");
   const Scratch scratch;
-  const Outcome run = parameterize({model, "-o", scratch.path("out"), "--grad-tol", "1e-4"});
+  const Outcome run = parameterize({model, "-o", scratch.path("out"), "--gradient-tolerance", "1e-4"});
   CHECK_MESSAGE(run.code == 0, run.err);
   const auto summary = read_json(scratch.path("out/summary.json"));
   CHECK(summary["status"] == "converged_gradient");

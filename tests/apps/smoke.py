@@ -42,7 +42,7 @@ def command_of(app, folder):
         "interpolate": lambda: [flat(), write_grid(folder / "sheared.obj", lambda x, y: (x + 0.7 * y, 1.2 * y, 0.0)),
                                 "--frames", "3"],
         "manipulate": lambda: [flat(), *handles],
-        "compare": lambda: [curved(), "--energy", "symmetric_dirichlet", "--method", "isostretch", "--repeat", "1"],
+        "compare": lambda: [curved(), "--energy", "symmetric_dirichlet", "--method", "isostretch", "--repetitions", "1"],
         "energy": lambda: ["arap"],
     }[app]()
 

@@ -196,7 +196,7 @@ TEST_CASE("by default nothing overlaps" * outside_data({"meshes/disks", "meshes/
     runs.push_back({"meshes/disks/" + std::string(name) + ".obj", {}});
   for (const char* name : {"cow.obj", "decimated-max.obj", "fertility.off", "spot.obj"})
     runs.push_back({"meshes/surfaces/" + std::string(name), {"--repair", "--pack", "square"}});
-  runs.push_back({"meshes/surfaces/spot.obj", {"--seams", "ignore", "--max-distortion", "1.5"}});
+  runs.push_back({"meshes/surfaces/spot.obj", {"--no-input-seams", "--max-distortion", "1.5"}});
   for (const auto& [name, options] : runs) {
     CAPTURE(name);
     const mesh::SurfaceMesh result = flatten(outside_path(name), options);

@@ -9,6 +9,7 @@ import libraries
 # A document and the source that has its snippet, between "// snippet: <document>" and "// end of snippet".
 SNIPPETS = [("libs/parameterization/README.md", "tests/consumers/project/parameterization.cpp"),
             ("libs/deformation/README.md", "tests/consumers/project/deformation.cpp"),
+            ("libs/scene/README.md", "tests/consumers/project/scene.cpp"),
             ("README.md", "tests/consumers/project/newton.cpp"), ("README.md", "tests/apps/log_sink_test.cpp"),
             ("docs/tutorials/energies.md", "tests/consumers/project/testing.cpp")]
 

@@ -38,16 +38,13 @@ void validate_distortion(const Options& o) {
 }  // namespace
 
 void Options::validate() const {
-  newton.validate();
+  check_ranges(*this);
   validate_corners(*this);
   const bool shaped = boundary == Boundary::circle || boundary == Boundary::square;
   require(!shaped || initial != Initial::input, "boundary",
           "circle, square: the start puts the boundary there, which initial input does not");
   require(uv_units != UvUnits::square || !has_pins(), "uv_units",
           "square: where pins are is given in units of the model, or of total area 1");
-  require(margin >= 0 && margin <= 0.25, "margin", "must be between 0 and 0.25");
-  require(cut_tips >= 2, "cut_tips", "must be 2 at least");
-  require(max_cuts >= 0, "max_cuts", "must not be negative");
   for (const AlignedVertices& line : aligned)
     require(line.vertices.size() >= 2, line.horizontal ? "horizontal" : "vertical",
             "names less than two vertices");

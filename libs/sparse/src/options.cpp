@@ -2,47 +2,26 @@
 #include <isostretch/sparse/options.hpp>
 
 #include <algorithm>
-#include <array>
-#include <string>
 
 namespace isostretch::sparse {
-namespace {
-
-constexpr std::array<std::string_view, 5> backend_names = {"automatic", "cholmod_supernodal",
-                                                           "cholmod_simplicial", "eigen_ldlt", "pcg"};
-constexpr std::array<std::string_view, 4> ordering_names = {"automatic", "amd", "metis", "natural"};
-constexpr std::array<std::string_view, 5> preconditioner_names = {
-    "jacobi", "block_jacobi", "incomplete_cholesky", "stale_cholesky", "amg"};
-
-template <class Enum, class Names>
-Enum from_name(std::string_view name, const Names& names, const char* what) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) return static_cast<Enum>(found - names.begin());
-  std::string list;
-  for (const std::string_view candidate : names) list += (list.empty() ? "" : ", ") + std::string(candidate);
-  throw Error(std::string("unknown ") + what + " '" + std::string(name) + "'; there are " + list);
-}
-
-}  // namespace
-
 std::string_view backend_name(Backend backend) noexcept {
-  return backend_names[static_cast<std::size_t>(backend)];
+  return name_of(choice_names(backend), backend);
 }
 std::string_view ordering_name(Ordering ordering) noexcept {
-  return ordering_names[static_cast<std::size_t>(ordering)];
+  return name_of(choice_names(ordering), ordering);
 }
 std::string_view preconditioner_name(Preconditioner preconditioner) noexcept {
-  return preconditioner_names[static_cast<std::size_t>(preconditioner)];
+  return name_of(choice_names(preconditioner), preconditioner);
 }
 
 Backend backend_from_name(std::string_view name) {
-  return from_name<Backend>(name, backend_names, "solver back end");
+  return choice_from_name(choice_names(Backend{}), name, "solver back end");
 }
 Ordering ordering_from_name(std::string_view name) {
-  return from_name<Ordering>(name, ordering_names, "ordering");
+  return choice_from_name(choice_names(Ordering{}), name, "ordering");
 }
 Preconditioner preconditioner_from_name(std::string_view name) {
-  return from_name<Preconditioner>(name, preconditioner_names, "preconditioner");
+  return choice_from_name(choice_names(Preconditioner{}), name, "preconditioner");
 }
 
 const std::vector<Backend>& available_backends() {
@@ -60,8 +39,7 @@ const std::vector<Backend>& available_backends() {
 const std::vector<Preconditioner>& all_preconditioners() {
   static const std::vector<Preconditioner> preconditioners = [] {
     std::vector<Preconditioner> all;
-    for (std::size_t i = 0; i < preconditioner_names.size(); ++i)
-      all.push_back(static_cast<Preconditioner>(i));
+    for (const auto& [name, preconditioner] : choice_names(Preconditioner{})) all.push_back(preconditioner);
     return all;
   }();
   return preconditioners;

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <isostretch/core/error.hpp>
+#include <isostretch/core/text.hpp>
+
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,6 +36,17 @@ template <class Choice, std::size_t N>
 const char* name_of(const ChoiceNames<Choice, N>& names, Choice choice) {
   return std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == choice; })
       ->first;
+}
+
+/// Returns the choice of that name. Throws Error, "unknown WHAT 'NAME'; there are ...", where there is none.
+template <class Choice, std::size_t N>
+Choice choice_from_name(const ChoiceNames<Choice, N>& names, std::string_view name, const char* what) {
+  const auto found =
+      std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == name; });
+  if (found == names.end())
+    throw Error(std::string("unknown ") + what + " '" + std::string(name) + "'; there are " +
+                listed(all_names(names)));
+  return found->second;
 }
 
 }  // namespace isostretch

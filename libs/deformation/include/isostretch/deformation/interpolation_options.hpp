@@ -9,6 +9,9 @@ enum class Continuation {
   previous,     ///< the frame before
   extrapolate,  ///< that, or of several continuations of the frames so far the one of least energy
 };
+constexpr ChoiceNames<Continuation, 2> choice_names(Continuation) {
+  return {{{"previous", Continuation::previous}, {"extrapolate", Continuation::extrapolate}}};
+}
 
 /// Returns the options of newton that suit frames between two shapes.
 ///
@@ -30,6 +33,15 @@ struct InterpolationOptions {
   int frames = 10;  ///< after the first shape; the last is the second shape
   Continuation guess = Continuation::extrapolate;
   newton::Options newton = frame_solver();  ///< of a frame; its time limit is that of all frames together
+
+  /// Visits (Field, member) for each option, see core/option_fields.hpp.
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit(Field{"frames", "Number of steps from the first shape to the second", between(1, 1e6)},
+          self.frames);
+    visit(Field{"initial_guess", "Shape that the solver starts every frame from"}, self.guess);
+    visit(Field{"newton", "How the energy is minimised"}, self.newton);
+  }
 
   /// Returns the time of a frame, from 0 to 1, both exact.
   double time(int frame) const { return static_cast<double>(frame) / frames; }

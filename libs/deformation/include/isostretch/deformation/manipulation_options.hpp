@@ -13,12 +13,21 @@ enum class Rotations {
   biharmonic,  ///< those of the handles, blended by bounded biharmonic weights
   none         ///< the identity everywhere
 };
+constexpr ChoiceNames<Rotations, 2> choice_names(Rotations) {
+  return {{{"biharmonic", Rotations::biharmonic}, {"none", Rotations::none}}};
+}
 
 /// What the elastic energy of an element counts: its volume (area), or 1.
 enum class ElementWeights { volume, unit };
+constexpr ChoiceNames<ElementWeights, 2> choice_names(ElementWeights) {
+  return {{{"volume", ElementWeights::volume}, {"unit", ElementWeights::unit}}};
+}
 
 /// What lengths are measured in by the term of the soft handles.
 enum class LengthUnit { diagonal, mesh };
+constexpr ChoiceNames<LengthUnit, 2> choice_names(LengthUnit) {
+  return {{{"diagonal", LengthUnit::diagonal}, {"mesh", LengthUnit::mesh}}};
+}
 
 /// How a body is manipulated without inverting an element (Liu et al. 2016); see sdp_penalty::Problem for
 /// alpha, incompressibility, margin and largest_stretch.
@@ -34,6 +43,47 @@ struct ManipulationOptions {
   Rotations rotations = Rotations::biharmonic;
   handles::RotationBlend blend = handles::RotationBlend::angle;
   sdp_penalty::Options solver = {};
+
+  /// Visits (Field, member) for each option but the handles, those of the solver among them, see
+  /// core/option_fields.hpp.
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit(Field{"alpha",
+                "Weight of the soft handles against the distortion: more brings them closer to their targets",
+                above(0)},
+          self.alpha);
+    visit(Field{"element_weights", "How much an element counts: its volume, or all the same"}, self.weights);
+    visit(
+        Field{
+            "length_unit",
+            "Weigh handles by shares of the diagonal of the mesh, or by its lengths as published scenes do"},
+        self.units);
+    visit(Field{"incompressibility",
+                "Weight of the term that keeps volume (kappa): above 0 for bodies like rubber or flesh",
+                at_least(0)},
+          self.incompressibility);
+    visit(Field{"margin",
+                "Keep lengths from shrinking below about this share (the least eigenvalue of S), against "
+                "elements that are all but flat",
+                below_highest(between(0, 1))},
+          self.margin);
+    visit(
+        Field{"largest_stretch",
+              "Forbid that a length grows by more than this factor; for the method interior_point", above(1)},
+        self.largest_stretch);
+    visit(Field{"relinearize",
+                "Solve again up to so many times, with the rotations of the result before, for shapes that "
+                "bend more naturally",
+                between(0, 1e6)},
+          self.relinearize);
+    visit(Field{"rotations",
+                "Rotations that elements are to follow: blended smoothly from those of the handles, or none"},
+          self.rotations);
+    visit(Field{"blend",
+                "How rotations of handles are blended; by default angle in the plane, else quaternion"},
+          self.blend);
+    sdp_penalty::Options::fields(self.solver, visit);
+  }
 };
 
 }  // namespace isostretch::deformation

@@ -19,10 +19,12 @@ enum class InitialGuess {
   harmonic,    // the frame before, and the further way of the handles spread over the body
   biharmonic,  // the same, smoother at the handles
 };
-inline constexpr ChoiceNames<InitialGuess, 4> initial_guess_names{{{"rest", InitialGuess::rest},
-                                                                   {"previous", InitialGuess::previous},
-                                                                   {"harmonic", InitialGuess::harmonic},
-                                                                   {"biharmonic", InitialGuess::biharmonic}}};
+constexpr ChoiceNames<InitialGuess, 4> choice_names(InitialGuess) {
+  return {{{"rest", InitialGuess::rest},
+           {"previous", InitialGuess::previous},
+           {"harmonic", InitialGuess::harmonic},
+           {"biharmonic", InitialGuess::biharmonic}}};
+}
 
 using Warn = std::function<void(const std::string&)>;
 

@@ -28,6 +28,13 @@ struct SequenceOptions {
   HandleScript script = {};
   InitialGuess guess = InitialGuess::biharmonic;
   newton::Options newton = {};  ///< of a frame; its time_limit is that of all frames together
+
+  /// Visits (Field, member) for each option that is a number or a choice, see core/option_fields.hpp.
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit(Field{"initial_guess", "Shape that the solver starts every frame from"}, self.guess);
+    visit(Field{"newton", "How the energy is minimised"}, self.newton);
+  }
 };
 
 }  // namespace isostretch::deformation

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <isostretch/assembly/elements.hpp>
+#include <isostretch/core/choice_names.hpp>
 #include <isostretch/handles/bounded_weights.hpp>
 #include <isostretch/handles/motion.hpp>
 
@@ -20,6 +21,12 @@ namespace isostretch::handles {
 // rotation_vector: the exponential of the weighted sum of axis * angle, full turns included; `angle` where
 //   the axis is common.
 enum class RotationBlend { angle, quaternion, aligned_quaternion, rotation_vector };
+constexpr ChoiceNames<RotationBlend, 4> choice_names(RotationBlend) {
+  return {{{"angle", RotationBlend::angle},
+           {"quaternion", RotationBlend::quaternion},
+           {"aligned_quaternion", RotationBlend::aligned_quaternion},
+           {"rotation_vector", RotationBlend::rotation_vector}}};
+}
 
 // angle in 2D, quaternion in 3D.
 RotationBlend default_blend(int dim);

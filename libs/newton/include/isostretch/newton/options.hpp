@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/core/option_fields.hpp>
 #include <isostretch/core/stop_token.hpp>
 #include <isostretch/projection/filter.hpp>
 #include <isostretch/sparse/options.hpp>
@@ -23,6 +24,14 @@ enum class Projection {
   // share falls until the Hessian factorises (after Fernandez-Fernandez et al. 2026).
   progressive,
 };
+constexpr ChoiceNames<Projection, 6> choice_names(Projection) {
+  return {{{"adaptive", Projection::adaptive},
+           {"clamp", Projection::clamp},
+           {"abs", Projection::abs},
+           {"none", Projection::none},
+           {"trust_region", Projection::trust_region},
+           {"progressive", Projection::progressive}}};
+}
 
 std::string_view projection_name(Projection projection) noexcept;
 // Throws Error naming the choices.
@@ -33,6 +42,9 @@ enum class LineSearch {
   backtracking,  // Armijo from the largest step that stays in the domain (at most 1)
   none,          // the full step, or the largest in the domain
 };
+constexpr ChoiceNames<LineSearch, 2> choice_names(LineSearch) {
+  return {{{"backtracking", LineSearch::backtracking}, {"none", LineSearch::none}}};
+}
 
 struct Options {
   Projection projection = Projection::adaptive;
@@ -85,8 +97,81 @@ struct Options {
   // 2), not below solver.pcg_tolerance. 0: always solver.pcg_tolerance.
   double largest_forcing = 0.1;
 
-  // Throws Error naming the first option that makes no sense.
+  /// Visits (Field, member) for each option, see core/option_fields.hpp.
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit);
+
+  /// Throws OptionError naming the first option that makes no sense.
   void validate() const;
 };
+
+template <class Self, class Visit>
+void Options::fields(Self& self, Visit&& visit) {
+  constexpr bool expert = true;
+  visit(Field{"projection", "How the Hessian is made positive definite"}, self.projection);
+  visit(Field{"retry_interval",
+              "Steps before the projection adaptive tries the exact Hessian again, after it failed",
+              at_least(0), "", expert},
+        self.retry_interval);
+  visit(Field{"filter_threshold", "Smallest eigenvalue after filtering, in the units of the energy density",
+              at_least(0), "", expert},
+        self.filter_threshold);
+  visit(Field{"gradient_tolerance",
+              "Stop where no component of the gradient is larger; 0: by the other tolerances", at_least(0)},
+        self.gradient_tolerance);
+  visit(
+      Field{"scaled_gradient_tolerance",
+            "Stop where no component of the gradient is larger than this share of the median diagonal entry "
+            "of the Hessian times the diagonal of the bounding box; 0: off",
+            at_least(0), "", expert},
+      self.scaled_gradient_tolerance);
+  visit(Field{"decrement_tolerance", "Stop where a full step promises to gain less energy; 0: off",
+              at_least(0), "", expert},
+        self.decrement_tolerance);
+  visit(Field{"relative_energy_tolerance",
+              "Stop where a full step gained less than this share of the energy; 0: off", at_least(0), "",
+              expert},
+        self.relative_energy_tolerance);
+  visit(Field{"max_iterations", "Stop a solve after so many Newton iterations", at_least(0)},
+        self.max_iterations);
+  visit(Field{"time_limit", "Stop after so long; 0: no limit", at_least(0), "seconds"}, self.time_limit);
+  visit(Field{"line_search",
+              "How long a step is: by Armijo's rule, or always the longest that is allowed",
+              {},
+              "",
+              expert},
+        self.line_search);
+  visit(Field{"armijo", "Share of the gain that the slope promises which a step must reach", inside(0, 0.5),
+              "", expert},
+        self.armijo);
+  visit(Field{"backtracking_factor", "What a step that gained too little is multiplied with", inside(0, 1),
+              "", expert},
+        self.backtracking_factor);
+  visit(
+      Field{"max_backtracks", "Steps tried in one direction before it is given up", at_least(1), "", expert},
+      self.max_backtracks);
+  visit(Field{"domain_fraction", "Share of the way to the first inverted element that a step may go",
+              inside(0, 1), "", expert},
+        self.domain_fraction);
+  visit(Field{"expansion_ratio", "Gain over promise above which a first step is lengthened", at_least(0), "",
+              expert},
+        self.expansion_ratio);
+  visit(Field{"expansion_factor", "What such a step is multiplied with", above(1), "", expert},
+        self.expansion_factor);
+  visit(Field{"max_expansion", "Let steps that gain more than promised grow up to this factor; 1: never",
+              between(1, 1e6)},
+        self.max_expansion);
+  visit(Field{"relative_shift", "Added to the diagonal of the Hessian, as a share of its median entry",
+              finite(at_least(0)), "", expert},
+        self.relative_shift);
+  visit(Field{"max_shifts", "How often that shift grows a hundredfold where the Hessian does not factorise",
+              at_least(0), "", expert},
+        self.max_shifts);
+  visit(Field{"largest_forcing",
+              "How inexact (relative residual) the first steps of iterative solvers may be; 0: always exact",
+              below_highest(between(0, 1))},
+        self.largest_forcing);
+  visit(Field{"linear_solver", "Solver of the linear systems"}, self.solver);
+}
 
 }  // namespace isostretch::newton

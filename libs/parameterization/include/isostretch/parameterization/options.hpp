@@ -34,15 +34,36 @@ struct AlignedVertices {
 
 /// Where the minimisation starts: Tutte's embedding, or the model's texture coordinates.
 enum class Initial { tutte, input };
+constexpr ChoiceNames<Initial, 2> choice_names(Initial) {
+  return {{{"tutte", Initial::tutte}, {"input", Initial::input}}};
+}
 /// The boundary of charts: free, fixed where the start has it, or held on a circle or square.
 enum class Boundary { free, fixed, circle, square };
+constexpr ChoiceNames<Boundary, 4> choice_names(Boundary) {
+  return {{{"free", Boundary::free},
+           {"fixed", Boundary::fixed},
+           {"circle", Boundary::circle},
+           {"square", Boundary::square}}};
+}
 /// Charts side by side in a square, or where they are.
 enum class Pack { automatic, square, none };
+constexpr ChoiceNames<Pack, 3> choice_names(Pack) {
+  return {{{"auto", Pack::automatic}, {"square", Pack::square}, {"none", Pack::none}}};
+}
 /// What is done about a chart that lies on itself.
 enum class OverlapRule { automatic, split, allow };
+constexpr ChoiceNames<OverlapRule, 3> choice_names(OverlapRule) {
+  return {{{"auto", OverlapRule::automatic}, {"split", OverlapRule::split}, {"allow", OverlapRule::allow}}};
+}
 /// What 1 is in the layout: the side of the unit square, a unit of the model, or the side of a square as
 /// large as the surface.
 enum class UvUnits { automatic, square, model, area };
+constexpr ChoiceNames<UvUnits, 4> choice_names(UvUnits) {
+  return {{{"auto", UvUnits::automatic},
+           {"square", UvUnits::square},
+           {"model", UvUnits::model},
+           {"area", UvUnits::area}}};
+}
 
 /// How a surface is flattened. Nothing but a surface is needed: by default it is cut to disks where it is
 /// none, started from Tutte's embedding, minimised, freed of overlap, and packed into the unit square.
@@ -65,6 +86,10 @@ struct Options {
   std::vector<AlignedVertices> aligned;
   newton::Options newton;  ///< its time_limit is that of all charts together
 
+  /// Visits (Field, member) for each option that is a number or a choice, see core/option_fields.hpp.
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit);
+
   /// Throws OptionError naming the first option that makes no sense, alone or beside others.
   void validate() const;
 
@@ -79,5 +104,41 @@ struct Options {
   /// Returns what automatic units are. Places that the user gives are in units of the model.
   UvUnits units() const;
 };
+
+template <class Self, class Visit>
+void Options::fields(Self& self, Visit&& visit) {
+  visit(Field{"cut", "Cut what is not a disk open, instead of refusing it"}, self.cut);
+  visit(Field{"input_seams", "Cut where the texture coordinates of the model are cut"}, self.input_seams);
+  visit(Field{"holes",
+              "Boundary loops inside that are kept as holes, not cut to: those that are short, none, all"},
+        self.holes);
+  visit(
+      Field{"cut_tips", "Ends of the cut that opens a closed surface of genus 0, at most", between(2, 1000)},
+      self.cut_tips);
+  visit(
+      Field{"max_distortion",
+            "Cut further until no length is stretched or shrunk by more than this factor, above 1; 0: never",
+            at_least(0)},
+      self.max_distortion);
+  visit(Field{"max_cuts", "Cuts that max_distortion may add", between(0, 1e6)}, self.max_cuts);
+  visit(Field{"boundary", "Free; fixed where the start has it; held on a circle or square"}, self.boundary);
+  visit(
+      Field{"pack",
+            "square: charts side by side in a square; none: where they are; auto: square, but none when the "
+            "start is the uv of the model or one chart has pins"},
+      self.pack);
+  visit(Field{"overlap",
+              "What to do about a chart that lies on itself: split it and pack the parts, or allow it; auto: "
+              "split when charts are packed, unless nothing may be cut"},
+        self.overlap);
+  visit(Field{"uv_units",
+              "square: uv from 0 to 1; model: lengths as on the model; area: total area 1; auto: square, but "
+              "model with pins"},
+        self.uv_units);
+  visit(Field{"margin", "Space around packed charts, as a share of the square", between(0, 0.25)},
+        self.margin);
+  visit(Field{"initial", "Start from Tutte's embedding, or from the uv of the model"}, self.initial);
+  visit(Field{"newton", "How the energy is minimised"}, self.newton);
+}
 
 }  // namespace isostretch::parameterization

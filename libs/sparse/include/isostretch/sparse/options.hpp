@@ -1,5 +1,7 @@
 #pragma once
 
+#include <isostretch/core/option_fields.hpp>
+
 #include <string_view>
 #include <vector>
 
@@ -11,9 +13,22 @@ namespace isostretch::sparse {
 // module is under the GPL: a program that links it falls under it too; configure with
 // ISOSTRETCH_WITH_SUITESPARSE=OFF to leave CHOLMOD out.
 enum class Backend { automatic, cholmod_supernodal, cholmod_simplicial, eigen_ldlt, pcg };
+constexpr ChoiceNames<Backend, 5> choice_names(Backend) {
+  return {{{"automatic", Backend::automatic},
+           {"cholmod_supernodal", Backend::cholmod_supernodal},
+           {"cholmod_simplicial", Backend::cholmod_simplicial},
+           {"eigen_ldlt", Backend::eigen_ldlt},
+           {"pcg", Backend::pcg}}};
+}
 
 // automatic: see README.md for the measurements behind the choice. metis needs CHOLMOD.
 enum class Ordering { automatic, amd, metis, natural };
+constexpr ChoiceNames<Ordering, 4> choice_names(Ordering) {
+  return {{{"automatic", Ordering::automatic},
+           {"amd", Ordering::amd},
+           {"metis", Ordering::metis},
+           {"natural", Ordering::natural}}};
+}
 
 // jacobi, block_jacobi: the diagonal, or the blocks of the groups on it.
 // incomplete_cholesky: IC(0) of the blocks, with a shift where it breaks down.
@@ -21,6 +36,13 @@ enum class Ordering { automatic, amd, metis, natural };
 // amg: algebraic multigrid by smoothed aggregation, renewed by the same rule. It wants the positions of nodes
 // (Solver::set_coordinates).
 enum class Preconditioner { jacobi, block_jacobi, incomplete_cholesky, stale_cholesky, amg };
+constexpr ChoiceNames<Preconditioner, 5> choice_names(Preconditioner) {
+  return {{{"jacobi", Preconditioner::jacobi},
+           {"block_jacobi", Preconditioner::block_jacobi},
+           {"incomplete_cholesky", Preconditioner::incomplete_cholesky},
+           {"stale_cholesky", Preconditioner::stale_cholesky},
+           {"amg", Preconditioner::amg}}};
+}
 
 struct Options {
   Backend backend = Backend::automatic;
@@ -41,6 +63,30 @@ struct Options {
   int stale_max_iterations = 0;
 
   friend bool operator==(const Options&, const Options&) = default;
+
+  /// Visits (Field, member) for each option, see core/option_fields.hpp.
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit(Field{"backend", "Solver of the linear systems"}, self.backend);
+    visit(Field{"ordering", "Order in which direct solvers eliminate unknowns"}, self.ordering);
+    visit(Field{"preconditioner", "Preconditioner of the backend pcg"}, self.pcg_preconditioner);
+    visit(
+        Field{
+            "automatic_max_flops",
+            "The automatic choice factorises a matrix of a body when that takes no more operations than this",
+            finite(at_least(0)), "operations", true},
+        self.automatic_max_flops);
+    visit(Field{"pcg_tolerance", "Relative residual at which pcg ends", inside(0, 1), "", true},
+          self.pcg_tolerance);
+    visit(Field{"pcg_max_iterations",
+                "Multiplications by the matrix after which pcg ends; 0: 10 times the unknowns, and 100",
+                at_least(0), "", true},
+          self.pcg_max_iterations);
+    visit(Field{"stale_max_iterations",
+                "Multiplications after which stale_cholesky and amg renew the preconditioner; 0: by its cost",
+                at_least(0), "", true},
+          self.stale_max_iterations);
+  }
 };
 
 // Names as on a command line: the enumerator's own. The inverse throws Error listing the names there are.

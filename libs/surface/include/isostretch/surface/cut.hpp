@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/core/choice_names.hpp>
 #include <isostretch/mesh/types.hpp>
 #include <isostretch/surface/seams.hpp>
 
@@ -16,6 +17,9 @@ enum class Holes {
   cut_all,     // charts are disks
   keep_all
 };
+constexpr ChoiceNames<Holes, 3> choice_names(Holes) {
+  return {{{"short", Holes::keep_short}, {"none", Holes::cut_all}, {"all", Holes::keep_all}}};
+}
 
 struct CutOptions {
   std::vector<Edge> seams = {};  // edges to cut in any case; charts they make are cut further where needed

@@ -1,14 +1,11 @@
-#include "common/handle_text.hpp"
-
-#include "common/numbers.hpp"
+#include <isostretch/scene/handle_text.hpp>
 
 #include <isostretch/core/error.hpp>
-
-#include <nlohmann/json.hpp>
+#include <isostretch/core/numbers.hpp>
 
 #include <vector>
 
-namespace isostretch::app {
+namespace isostretch::scene {
 namespace {
 
 [[noreturn]] void fail(const std::string& part, const std::string& what) {
@@ -39,8 +36,8 @@ double number(const std::string& part, const std::string& text) {
   return values[0];
 }
 
-Json point(const std::vector<double>& values, std::size_t from, std::size_t dim) {
-  return Json(std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(from),
+Value point(const std::vector<double>& values, std::size_t from, std::size_t dim) {
+  return Value(std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(from),
                                   values.begin() + static_cast<std::ptrdiff_t>(from + dim)));
 }
 
@@ -51,14 +48,14 @@ std::size_t dimension(const std::string& part, std::size_t count, std::size_t po
   fail(part, "has " + std::to_string(count) + " numbers; see --help");
 }
 
-Json slab(const std::string& part, const std::string& rest) {
+Value slab(const std::string& part, const std::string& rest) {
   const std::vector<std::string> words = split(rest, ',');
   if (words.size() != 3) fail(part, "is not slab:AXIS,min|max,FRACTION");
-  return {{"axis", words[0]}, {"end", words[1]}, {"fraction", number(part, words[2])}};
+  return Value::object({{"axis", words[0]}, {"end", words[1]}, {"fraction", number(part, words[2])}});
 }
 
-Json list(const std::string& part, const std::string& rest) {
-  Json vertices = Json::array();
+Value list(const std::string& part, const std::string& rest) {
+  Value vertices = Value::list();
   for (const std::string& word : split(rest, ',')) {
     const auto vertex = whole_number(word);
     if (!vertex || *vertex < 0) fail(part, "has '" + word + "' for a vertex number");
@@ -67,67 +64,66 @@ Json list(const std::string& part, const std::string& rest) {
   return vertices;
 }
 
-Json selection(const std::string& part) {
+Value selection(const std::string& part) {
   std::string kind, rest;
   cut(part, ':', kind, rest);
   if (part == "all") return "all";
-  if (kind == "slab") return {{"slab", slab(part, rest)}};
-  if (kind == "group") return {{"group", rest}};
-  if (kind == "vertices") return {{"vertices", list(part, rest)}};
+  if (kind == "slab") return Value::object("slab", slab(part, rest));
+  if (kind == "group") return Value::object("group", rest);
+  if (kind == "vertices") return Value::object("vertices", list(part, rest));
   if (kind != "box" && kind != "sphere" && kind != "segment" && kind != "nearest" && kind != "patch")
     fail(part, "is no selection: all, box, sphere, segment, vertices, slab, nearest, patch, group");
   const std::vector<double> n = numbers(part, rest);
   if (kind == "box") {
     const std::size_t dim = dimension(part, n.size(), 2, 0);
-    return {{"box", {{"min", point(n, 0, dim)}, {"max", point(n, dim, dim)}}}};
+    return Value::object(kind, Value::object({{"min", point(n, 0, dim)}, {"max", point(n, dim, dim)}}));
   }
   if (kind == "segment") {
     const std::size_t dim = dimension(part, n.size(), 2, 1);
-    return {{"segment", {{"from", point(n, 0, dim)}, {"to", point(n, dim, dim)}, {"distance", n.back()}}}};
+    return Value::object(kind, Value::object({{"from", point(n, 0, dim)}, {"to", point(n, dim, dim)}, {"distance", n.back()}}));
   }
   if (kind == "nearest") {
     const std::size_t dim = dimension(part, n.size(), 1, 0);
-    return {{"nearest", {{"point", point(n, 0, dim)}}}};
+    return Value::object(kind, Value::object("point", point(n, 0, dim)));
   }
   const std::size_t dim = dimension(part, n.size(), 1, 1);
-  if (kind == "sphere") return {{"sphere", {{"center", point(n, 0, dim)}, {"radius", n.back()}}}};
-  return {{"patch", {{"point", point(n, 0, dim)}, {"distance", n.back()}}}};
+  if (kind == "sphere")
+    return Value::object(kind, Value::object({{"center", point(n, 0, dim)}, {"radius", n.back()}}));
+  return Value::object(kind, Value::object({{"point", point(n, 0, dim)}, {"distance", n.back()}}));
 }
 
-Json rotation(const std::string& part, const std::string& value) {
+Value rotation(const std::string& part, const std::string& value) {
   std::string axis, degrees;
-  if (!cut(value, ':', axis, degrees)) return {{"degrees", number(part, value)}};  // in the plane
-  return {{"axis", Json(numbers(part, axis))}, {"degrees", number(part, degrees)}};
+  if (!cut(value, ':', axis, degrees)) return Value::object("degrees", number(part, value));  // in the plane
+  return Value::object({{"axis", numbers(part, axis)}, {"degrees", number(part, degrees)}});
 }
 
-void add_property(const std::string& part, Holding holding, Json& handle) {
-  const char* const how = holding == Holding::hard ? "soft" : "hard";
+void add_property(const std::string& part, Value& handle) {
   std::string key, value;
-  if (part == how && holding == Holding::soft) {
-    handle[how] = true;
+  if (part == "hard") {
+    handle[part] = true;
     return;
   }
   if (!cut(part, '=', key, value)) fail(part, "is not of the form key=value");
-  if (handle.contains(key)) fail(part, "is given twice");
+  if (handle.has(key)) fail(part, "is given twice");
   if (key == "rotate")
     handle[key] = rotation(part, value);
   else if (key == "translate" || key == "center")
     handle[key] = numbers(part, value);
-  else if (key == "scale" || (key == how && holding == Holding::hard))
+  else if (key == "scale" || key == "soft")
     handle[key] = number(part, value);
   else if (key == "name")
     handle[key] = value;
   else
-    fail(part,
-         std::string("has an unknown key; there are translate, rotate, scale, center, ") + how + ", name");
+    fail(part, "has an unknown key; there are translate, rotate, scale, center, soft, hard, name");
 }
 
 }  // namespace
 
-Json handle_from_text(const std::string& text, Holding holding) {
+Value handle_from_text(const std::string& text) {
   const std::vector<std::string> parts = split(text, ';');
-  Json handle{{"select", selection(parts[0])}};
-  for (std::size_t i = 1; i < parts.size(); ++i) add_property(parts[i], holding, handle);
+  Value handle = Value::object("select", selection(parts[0]));
+  for (std::size_t i = 1; i < parts.size(); ++i) add_property(parts[i], handle);
   return handle;
 }
 
@@ -157,4 +153,4 @@ std::string handle_help(Holding holding) {
          "In the plane points have two numbers: rotate=DEGREES.";
 }
 
-}  // namespace isostretch::app
+}  // namespace isostretch::scene

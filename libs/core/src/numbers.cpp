@@ -1,10 +1,10 @@
-#include "common/numbers.hpp"
+#include <isostretch/core/numbers.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-namespace isostretch::app {
+namespace isostretch {
 namespace {
 
 template <class Number>
@@ -37,4 +37,4 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return parts;
 }
 
-}  // namespace isostretch::app
+}  // namespace isostretch

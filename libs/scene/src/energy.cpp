@@ -1,18 +1,20 @@
-#include "common/energy_reader.hpp"
+#include <isostretch/scene/energy.hpp>
 
-#include "common/energy_choice.hpp"
+#include "definitions.hpp"
 
-#include "common/deformation_names.hpp"
-
+#include <isostretch/deformation/material.hpp>
 #include <isostretch/expressions/expression.hpp>
+#include <isostretch/scene/energy_choice.hpp>
 
 #include <map>
 
-namespace isostretch::app {
+namespace isostretch::scene {
 namespace {
 
-Lame read_material(const JsonValue& value, int dim) {
-  value.only({"young", "poisson", "mu", "lambda"});
+using deformation::Lame;
+
+Lame read_material(const Node& value, int dim) {
+  value.only(keys_of("material"));
   const bool engineer = value.has("young") || value.has("poisson");
   if (engineer == (value.has("mu") || value.has("lambda")))
     value.fail("give young and poisson, or mu and lambda");
@@ -26,22 +28,23 @@ Lame read_material(const JsonValue& value, int dim) {
   return material;
 }
 
-std::map<std::string, double> read_parameters(const std::optional<JsonValue>& value) {
+std::map<std::string, double> read_parameters(const std::optional<Node>& value) {
   std::map<std::string, double> parameters;
   if (!value) return parameters;
-  if (!value->is_object()) value->fail("must be an object {...}");
-  for (const auto& [name, number] : value->json().items()) parameters[name] = value->at(name).number();
+  if (!value->value().is_object()) value->fail("must be an object {...}");
+  for (const Member& member : value->value().members())
+    parameters[member.key] = value->at(member.key).number();
   return parameters;
 }
 
 }  // namespace
 
-energies::AnyEnergy read_energy(const JsonValue& owner, int dim, const std::optional<JsonValue>& fallback) {
+energies::AnyEnergy read_energy(const Node& owner, int dim, const std::optional<Node>& fallback) {
   auto energy = owner.find("energy");
   if (!energy && fallback) energy = fallback->find("energy");
   if (!energy) owner.fail("'energy' is missing");
-  if (!energy->is_text()) energy->only({"name", "parameters"});
-  const JsonValue name = energy->is_text() ? *energy : energy->at("name");
+  if (!energy->value().is_text()) energy->only(keys_of("energy"));
+  const Node name = energy->value().is_text() ? *energy : energy->at("name");
   auto parameters = read_parameters(energy->find("parameters"));
   auto material = owner.find("material");
   if (!material && fallback && !owner.has("energy")) material = fallback->find("material");
@@ -58,4 +61,4 @@ energies::AnyEnergy read_energy(const JsonValue& owner, int dim, const std::opti
   return naming(*energy, [&] { return choose_energy(name.text(), parameters, dim); });
 }
 
-}  // namespace isostretch::app
+}  // namespace isostretch::scene

@@ -1,9 +1,8 @@
-#include "common/energy_choice.hpp"
-
-#include "common/numbers.hpp"
+#include <isostretch/scene/energy_choice.hpp>
 
 #include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/numbers.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/energies/registry.hpp>
@@ -12,7 +11,7 @@
 #include <algorithm>
 #include <set>
 
-namespace isostretch::app {
+namespace isostretch::scene {
 namespace {
 
 std::string those_there_are(int dim) {
@@ -104,4 +103,4 @@ std::vector<std::string> split_energies(const std::string& text) {
   return all;
 }
 
-}  // namespace isostretch::app
+}  // namespace isostretch::scene
