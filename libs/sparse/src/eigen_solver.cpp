@@ -3,8 +3,6 @@
 #include "ordering.hpp"
 #include "permuted_matrix.hpp"
 
-#include <isostretch/core/timer.hpp>
-
 #include <Eigen/SparseCholesky>
 
 namespace isostretch::sparse {
@@ -26,11 +24,11 @@ class EigenSolver final : public Solver {
   }
 
   FactorResult do_analyze(const SymmetricMatrix& A) override {
-    const Timer timer;
-    OrderingResult ordering = compute_ordering(A, options_.ordering);
-    statistics_.ordering_seconds += timer.seconds();
-    statistics_.ordering = ordering.used;
-    permutation_ = std::move(ordering.permutation);
+    permutation_ = timed_ordering(A, options_.ordering, statistics_);
+    return do_update_pattern(A);
+  }
+
+  FactorResult do_update_pattern(const SymmetricMatrix& A) override {
     permuted_ = PermutedMatrix(A, permutation_);
     factor_.analyzePattern(view());
     return {};

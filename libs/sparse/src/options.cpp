@@ -8,8 +8,6 @@
 namespace isostretch::sparse {
 namespace {
 
-constexpr std::array<std::string_view, 5> backend_names = {"automatic", "cholmod_supernodal",
-                                                           "cholmod_simplicial", "eigen_ldlt", "pcg"};
 constexpr std::array<std::string_view, 4> ordering_names = {"automatic", "amd", "metis", "natural"};
 constexpr std::array<std::string_view, 5> preconditioner_names = {
     "jacobi", "block_jacobi", "incomplete_cholesky", "stale_cholesky", "amg"};
@@ -25,9 +23,6 @@ Enum from_name(std::string_view name, const Names& names, const char* what) {
 
 }  // namespace
 
-std::string_view backend_name(Backend backend) noexcept {
-  return backend_names[static_cast<std::size_t>(backend)];
-}
 std::string_view ordering_name(Ordering ordering) noexcept {
   return ordering_names[static_cast<std::size_t>(ordering)];
 }
@@ -35,26 +30,11 @@ std::string_view preconditioner_name(Preconditioner preconditioner) noexcept {
   return preconditioner_names[static_cast<std::size_t>(preconditioner)];
 }
 
-Backend backend_from_name(std::string_view name) {
-  return from_name<Backend>(name, backend_names, "solver back end");
-}
 Ordering ordering_from_name(std::string_view name) {
   return from_name<Ordering>(name, ordering_names, "ordering");
 }
 Preconditioner preconditioner_from_name(std::string_view name) {
   return from_name<Preconditioner>(name, preconditioner_names, "preconditioner");
-}
-
-const std::vector<Backend>& available_backends() {
-  static const std::vector<Backend> backends = {
-#if defined(ISOSTRETCH_WITH_CHOLMOD)
-    Backend::cholmod_supernodal,
-    Backend::cholmod_simplicial,
-#endif
-    Backend::eigen_ldlt,
-    Backend::pcg
-  };
-  return backends;
 }
 
 const std::vector<Preconditioner>& all_preconditioners() {
@@ -65,12 +45,6 @@ const std::vector<Preconditioner>& all_preconditioners() {
     return all;
   }();
   return preconditioners;
-}
-
-bool is_available(Backend backend) {
-  const auto& backends = available_backends();
-  return backend == Backend::automatic ||
-         std::find(backends.begin(), backends.end(), backend) != backends.end();
 }
 
 const std::vector<Ordering>& available_orderings() {

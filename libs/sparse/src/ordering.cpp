@@ -1,6 +1,7 @@
 #include "ordering.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/timer.hpp>
 
 #include <Eigen/OrderingMethods>
 
@@ -9,6 +10,7 @@
 #include <new>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #if defined(ISOSTRETCH_WITH_CHOLMOD)
 #include "cholmod_session.hpp"
@@ -122,6 +124,14 @@ OrderingResult compute_ordering(const SymmetricMatrix& A, Ordering wanted) {
   const GroupGraph graph = group_graph(A);
   if (wanted == Ordering::automatic) wanted = choose(graph.matrix);
   return {wanted, expand(graph_ordering(graph.matrix, wanted), graph.first)};
+}
+
+std::vector<int> timed_ordering(const SymmetricMatrix& A, Ordering wanted, Statistics& statistics) {
+  const ScopedTimer timer(statistics.ordering_seconds);
+  OrderingResult ordering = compute_ordering(A, wanted);
+  ++statistics.orderings;
+  statistics.ordering = ordering.used;
+  return std::move(ordering.permutation);
 }
 
 }  // namespace isostretch::sparse

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <isostretch/sparse/matrix.hpp>
-#include <isostretch/sparse/options.hpp>
+#include <isostretch/sparse/solver.hpp>
 
 #include <vector>
 
@@ -14,6 +14,9 @@ struct OrderingResult {
 
 // Fill-reducing ordering, computed on the graph of the groups and expanded to unknowns.
 OrderingResult compute_ordering(const SymmetricMatrix& A, Ordering wanted);
+
+// Position -> unknown, with time, count and kind of the ordering entered in the statistics.
+std::vector<int> timed_ordering(const SymmetricMatrix& A, Ordering wanted, Statistics& statistics);
 
 // Whether the graph of the groups has the density of a tetrahedral mesh rather than a triangular one.
 bool is_of_3d_kind(const SymmetricMatrix& A);

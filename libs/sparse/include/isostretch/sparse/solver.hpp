@@ -6,8 +6,10 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace isostretch::sparse {
@@ -44,7 +46,8 @@ struct Statistics {
   double analyze_seconds = 0;   // seconds and calls add up over the life of the solver
   double factorize_seconds = 0;
   double solve_seconds = 0;
-  int analyze_calls = 0;
+  int analyze_calls = 0;  // with those of update_pattern()
+  int orderings = 0;      // fill-reducing orderings computed
   int factorize_calls = 0;
   int solve_calls = 0;
   int factorizations = 0;   // factors and preconditioners made: fewer than calls where stale ones serve
@@ -71,6 +74,12 @@ class Solver {
   // Ordering and symbolic factorization. Values are not looked at. out_of_memory or failed are repeated by
   // factorize() until the next analyze().
   FactorResult analyze(const SymmetricMatrix& A);
+
+  /// Takes a pattern of the same size that differs a little from the one analyzed, as analyze() does but
+  /// without a new ordering: direct solvers keep theirs and renew the symbolic factorization, until the
+  /// factor has grown so much that a new ordering pays; others may analyze anew. The statuses are those of
+  /// analyze(). Throws Error for a malformed matrix, for another size or other groups, and before analyze().
+  FactorResult update_pattern(const SymmetricMatrix& A);
 
   // Numerical factorization of a matrix with the pattern analyzed. Its values are not referred to later.
   FactorResult factorize(const SymmetricMatrix& A);
@@ -112,6 +121,8 @@ class Solver {
 
   // What a back end supplies. Matrices are validated, finite and never empty; x and b have the right sizes.
   virtual FactorResult do_analyze(const SymmetricMatrix& A) = 0;
+  /// Analyzes a pattern that is near to the one before. Analyzes anew unless overridden.
+  virtual FactorResult do_update_pattern(const SymmetricMatrix& A) { return do_analyze(A); }
   virtual FactorResult do_factorize(const SymmetricMatrix& A) = 0;
   virtual SolveResult do_solve(const double* b, double* x, int columns) = 0;
   // Arguments are valid.
@@ -123,7 +134,10 @@ class Solver {
  private:
   void require_rows(Eigen::Index rows) const;
   void require_same_pattern(const SymmetricMatrix& A) const;
+  template <class Analysis>
+  FactorResult take_pattern(const SymmetricMatrix& A, const Analysis& analysis);
   void log_analysis() const;
+  friend std::unique_ptr<Solver> make_solver(const Options& options);
 
   enum class State { empty, analyzed, factorized };
   State state_ = State::empty;
@@ -131,9 +145,20 @@ class Solver {
   int size_ = 0;
   std::vector<int> column_start_;
   std::vector<int> row_;
+  std::vector<int> group_;
 };
 
-// Throws Error when the back end or the ordering is not compiled in, or an option is out of range.
+/// Makes a solver, from the options as make_solver() was given them.
+using SolverFactory = std::function<std::unique_ptr<Solver>(const Options&)>;
+
+/// Gives a linear solver a name, which is then accepted, listed and written wherever those of the built-in
+/// back ends are, and returns the back end that stands for it in `Options`. Call it before the name is asked
+/// for, as at the start of a program; it stays until the program ends. Throws Error for an empty name, a name
+/// that is taken, and a factory that is empty.
+Backend register_solver(std::string_view name, SolverFactory factory);
+
+/// Returns a solver as the options describe it. Throws Error when the back end or the ordering is not
+/// compiled in, when an option is out of range, and when the factory of a registered solver makes none.
 std::unique_ptr<Solver> make_solver(const Options& options = {});
 
 }  // namespace isostretch::sparse
