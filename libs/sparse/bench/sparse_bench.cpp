@@ -70,7 +70,9 @@ SymmetricMatrix with_couplings(const SymmetricMatrix& A, int dim, int count, int
 }
 
 void change_pattern(benchmark::State& state, const SymmetricMatrix& A, int dim, int count, bool keep) {
-  const auto solver = make_solver({});
+  Options options;
+  options.backend = available_backends().front();
+  const auto solver = make_solver(options);
   solver->analyze(A);
   const SymmetricMatrix patterns[] = {with_couplings(A, dim, count, 1), with_couplings(A, dim, count, 100)};
   int round = 0;

@@ -32,13 +32,14 @@ class CholmodSolver final : public Solver {
 
  private:
   FactorResult do_analyze(const SymmetricMatrix& A) override {
-    permutation_ = timed_ordering(A, options_.ordering, statistics_);
+    permutation_ = ordering_.compute(A, options_.ordering, statistics_);
     const FactorResult result = analyze_permuted(A);
     flops_when_ordered_ = statistics_.factor_flops;
     return result;
   }
 
   FactorResult do_update_pattern(const SymmetricMatrix& A) override {
+    permutation_ = ordering_.adapt(A);
     const FactorResult result = analyze_permuted(A);
     return result && statistics_.factor_flops > worth_ordering * flops_when_ordered_ ? do_analyze(A) : result;
   }
@@ -151,6 +152,7 @@ class CholmodSolver final : public Solver {
 
   Options options_;
   CholmodSession session_;
+  KeptOrdering ordering_;
   std::vector<int> permutation_;  // position -> unknown
   double flops_when_ordered_ = 0;
   PermutedMatrix permuted_;
