@@ -7,12 +7,12 @@
 
 namespace isostretch::sparse {
 
-// A fill-reducing ordering, computed on the graph of the groups and expanded to unknowns, that serves patterns
-// near to the one it was computed for.
+// A fill-reducing ordering, computed on the graph of the groups and expanded to unknowns, that serves
+// patterns near to the one it was computed for.
 //
-// For such a pattern, one group of each new pair is moved to the end. The factor of what remains is as it was,
-// and the groups moved add a few full rows each; left at its place, a pair that is far apart would couple the
-// separators above either, which is the expensive part of a factor.
+// For such a pattern, one group of each new pair is moved to the end. The factor of what remains is as it
+// was, and the groups moved add a few full rows each; left at its place, a pair that is far apart would
+// couple the separators above either, which is the expensive part of a factor.
 class KeptOrdering {
  public:
   // Position -> unknown. Enters time, count and kind in the statistics.
