@@ -79,7 +79,7 @@ void OptionFlags::declare_field(CLI::App& cli, const OptionField& option, const 
   }
   if (const auto* choice = std::get_if<ChoiceSlot>(&option.slot)) {
     flag.kind = Kind::text;
-    add(cli, "--" + name, std::string(field.help) + ": " + listed(choice->names), flag)
+    add(cli, "--" + name, std::string(field.help) + ": " + listed(choice->names()), flag)
         ->check(one_of(choice->names))
         ->type_name("NAME")
         ->default_str(choice->get());

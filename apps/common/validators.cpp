@@ -65,13 +65,18 @@ CLI::Validator whole_number_between(int lowest, int highest) {
           ""};
 }
 
-CLI::Validator one_of(const std::vector<std::string>& names) {
+CLI::Validator one_of(std::function<std::vector<std::string>()> names) {
   return {[=](std::string& text) {
-            return std::find(names.begin(), names.end(), text) != names.end()
+            const std::vector<std::string> all = names();
+            return std::find(all.begin(), all.end(), text) != all.end()
                        ? std::string()
-                       : in_quotes(text) + " is none of " + listed(names);
+                       : in_quotes(text) + " is none of " + listed(all);
           },
           ""};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  return one_of([names] { return names; });
 }
 
 }  // namespace isostretch::app

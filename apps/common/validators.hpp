@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,5 +21,7 @@ CLI::Validator positive();
 CLI::Validator number_between(double lowest, double highest);
 CLI::Validator whole_number_between(int lowest, int highest);
 CLI::Validator one_of(const std::vector<std::string>& names);
+/// One of the names that there are when the command line is read, which plug-ins may have added to.
+CLI::Validator one_of(std::function<std::vector<std::string>()> names);
 
 }  // namespace isostretch::app

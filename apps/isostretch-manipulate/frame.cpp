@@ -62,11 +62,9 @@ FrameResult FrameSolver::solve_by_rival(int frame) {
 void FrameSolver::run_rival(FrameResult& result) {
   baselines::Options options;
   options.tolerance = scene_.solver.gap_tolerance;
-  const double left = monitor_.stop.seconds_left();
-  options.limits.seconds = std::isinf(left) ? 0 : std::max(1e-3, left);
   options.limits.megabytes = options_.memory_limit;
   options.limits.iterations = scene_.solver.max_iterations;
-  options.stop = interrupt_token();
+  options.stop = monitor_.stop;
   const sdp_penalty::Problem& problem = manipulation_.prepare(result);
   result.before = manipulation_.unconstrained();
   const auto solve = [&] {

@@ -29,7 +29,10 @@ endmacro()
 
 macro(run_programs folder)
   foreach(component ${ARGN})
-    run(${CMAKE_COMMAND} -E chdir ${work}/${folder} ./use_${component})
+    file(GLOB more RELATIVE ${work}/${folder} ${work}/${folder}/use_${component}-*)
+    foreach(program use_${component} ${more})
+      run(${CMAKE_COMMAND} -E chdir ${work}/${folder} ./${program})
+    endforeach()
   endforeach()
 endmacro()
 

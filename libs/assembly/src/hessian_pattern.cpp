@@ -48,8 +48,11 @@ void PatternBuilder::add_clique(const int* nodes, int count) {
 HessianPattern::HessianPattern(FreeUnknowns unknowns, PatternBuilder builder)
     : unknowns_(std::move(unknowns)), block_pairs_(std::move(builder.pairs_)) {
   const int nodes = unknowns_.node_count();
-  for (int i = 0; i < nodes; ++i) block_pairs_.push_back(pack(i, i));
   std::sort(block_pairs_.begin(), block_pairs_.end());
+  // Diagonal blocks are merged in, so that a few pairs among many nodes are cheap.
+  const auto pairs = static_cast<std::ptrdiff_t>(block_pairs_.size());
+  for (int i = 0; i < nodes; ++i) block_pairs_.push_back(pack(i, i));
+  std::inplace_merge(block_pairs_.begin(), block_pairs_.begin() + pairs, block_pairs_.end());
   block_pairs_.erase(std::unique(block_pairs_.begin(), block_pairs_.end()), block_pairs_.end());
   block_pairs_.shrink_to_fit();
   node_start_.assign(static_cast<std::size_t>(nodes) + 1, 0);

@@ -7,6 +7,7 @@
 #include <nlopt.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <memory>
@@ -156,9 +157,12 @@ void hold_hard_targets(const sdp_penalty::Problem& problem, nlopt_opt optimizer)
     }
 }
 
-void set_limits(const Options& options, const Recorder& recorder, nlopt_opt optimizer) {
+void set_limits(const Options& options, nlopt_opt optimizer) {
   if (options.limits.iterations > 0) nlopt_set_maxeval(optimizer, options.limits.iterations);
-  if (options.limits.seconds > 0) nlopt_set_maxtime(optimizer, recorder.seconds_left());
+  // NLopt takes 0 for no limit, and the deadline may have passed.
+  constexpr double shortest = 1e-9;
+  if (const double left = options.stop.seconds_left(); std::isfinite(left))
+    nlopt_set_maxtime(optimizer, std::max(left, shortest));
 }
 
 // Of the minors, whose gradients are about 1 at rest.
@@ -185,7 +189,7 @@ Vector optimize(const Algorithm& algorithm, const Instance& instance, const Opti
   if (algorithm.code == NLOPT_AUGLAG)
     nlopt_set_local_optimizer(optimizer.get(), make_optimizer(lbfgs, problem, options).get());
   recorder.begin(Phase::solving);
-  set_limits(options, recorder, optimizer.get());
+  set_limits(options, optimizer.get());
   double energy = 0;
   const nlopt_result code = nlopt_optimize(optimizer.get(), x.data(), &energy);
   problem.rethrow();

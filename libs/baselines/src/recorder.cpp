@@ -1,6 +1,5 @@
 #include "recorder.hpp"
 
-#include <limits>
 #include <utility>
 
 namespace isostretch::baselines {
@@ -30,15 +29,6 @@ void Recorder::begin(Phase phase) {
   }
 }
 
-double Recorder::seconds() const {
-  return result_.seconds.total() + timer_.seconds();
-}
-
-double Recorder::seconds_left() const {
-  const double limit = options_.limits.seconds;
-  return limit > 0 ? limit - seconds() : std::numeric_limits<double>::infinity();
-}
-
 bool Recorder::record(const Vector& x) {
   return record(x, points());
 }
@@ -56,7 +46,6 @@ bool Recorder::record(const Vector& x, int iteration) {
 }
 
 bool Recorder::may_go_on() {
-  if (!(seconds_left() > 0)) end(Status::time_limit, "the time limit is reached");
   if (options_.stop.deadline_passed()) end(Status::time_limit, "the time limit is reached");
   if (options_.stop.stop_requested()) end(Status::callback, "stopped by the caller");
   return !ended();

@@ -24,8 +24,6 @@ class Recorder {
   // Between iterates. False: as above.
   bool may_go_on();
 
-  double seconds() const;       // so far
-  double seconds_left() const;  // infinity without a limit
   int points() const { return static_cast<int>(result_.trace.size()); }
   int iterations() const { return result_.iterations; }  // as the solver has reported them so far
   // Of the last iterate; there must be one.

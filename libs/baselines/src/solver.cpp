@@ -35,7 +35,6 @@ void Options::validate() const {
     if (!condition) throw Error(std::string("solver options: ") + text);
   };
   require(tolerance > 0 && tolerance < 1, "tolerance must be between 0 and 1");
-  require(limits.seconds >= 0 && std::isfinite(limits.seconds), "limits.seconds must not be negative");
   require(limits.megabytes >= 0 && std::isfinite(limits.megabytes), "limits.megabytes must not be negative");
   require(limits.iterations >= 0, "limits.iterations must not be negative");
 }

@@ -73,7 +73,8 @@ TEST_CASE("Ipopt ends at its limits and where the callback says so, with the pos
     baselines::Options options;
     options.limits.iterations = 3;
     CHECK(baselines::solve(name, instance, options).status == Status::iteration_limit);
-    options.limits = {.seconds = 1e-9};
+    options.limits = {};
+    options.stop = StopToken().with_time_limit(1e-9);
     CHECK(baselines::solve(name, instance, options).status == Status::time_limit);
     const Result stopped = tests::check_callback(name, instance, 2);
     CHECK(stopped.trace.size() == 3);

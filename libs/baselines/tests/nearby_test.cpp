@@ -140,7 +140,8 @@ TEST_CASE(
     CHECK((limited.status == Status::iteration_limit || limited.status == Status::converged ||
            limited.status == Status::unsuited));
     CHECK(limited.iterations <= 1);
-    options.limits = {.seconds = 1e-9};
+    options.limits = {};
+    options.stop = StopToken().with_time_limit(1e-9);
     const auto timed = baselines::solve(info.name, instance, options);
     CHECK((timed.status == Status::time_limit || timed.status == Status::unsuited));
     if (info.bounds_stretch) continue;

@@ -51,7 +51,8 @@ TEST_CASE("NLopt ends at its limits and where the callback says so" * tests::nee
     baselines::Options options;
     options.limits.iterations = 3;
     CHECK(baselines::solve(name, instance, options).status == Status::iteration_limit);
-    options.limits = {.seconds = 0.01};
+    options.limits = {};
+    options.stop = StopToken().with_time_limit(0.01);
     CHECK(baselines::solve(name, instance, options).status == Status::time_limit);
     tests::check_callback(name, instance, 1);
   }

@@ -159,7 +159,7 @@ TEST_CASE("Whatever a program does, there is a status, and nothing stays behind"
               .status == Status::unreadable);
   }
   SUBCASE("no end") {
-    options.limits.seconds = 0.1;
+    options.stop = StopToken().with_time_limit(0.1);
     const Timer timer;
     CHECK(outcome("sleep 1000").status == Status::time_limit);
     CHECK(timer.seconds() < 3);

@@ -62,8 +62,9 @@ TEST_CASE("Own methods find the outside optima" * tests::outside_data({"sdp"})) 
 TEST_CASE("Limits and the callback end a run with statuses of their own") {
   const baselines::Instance instance = instance_named("yogurt90_N6_r0.15");
   baselines::Options options;
-  options.limits.seconds = 1e-9;
+  options.stop = StopToken().with_time_limit(1e-9);
   CHECK(baselines::solve("penalty", instance, options).status == Status::time_limit);
+  options = {};
   options.limits = {.iterations = 2};
   const auto limited = baselines::solve("penalty", instance, options);
   CHECK(limited.status == Status::iteration_limit);
@@ -93,8 +94,8 @@ TEST_CASE("An invalid instance or option is refused by name") {
   options.tolerance = 0;
   CHECK_THROWS_WITH_AS(baselines::solve("penalty", instance, options), doctest::Contains("tolerance"), Error);
   options = {};
-  options.limits.seconds = -1;
-  CHECK_THROWS_WITH_AS(baselines::solve("penalty", instance, options), doctest::Contains("limits.seconds"),
+  options.limits.megabytes = -1;
+  CHECK_THROWS_WITH_AS(baselines::solve("penalty", instance, options), doctest::Contains("limits.megabytes"),
                        Error);
   const double x = instance.rest[0];
   instance.rest[0] = std::nan("");

@@ -1,3 +1,4 @@
+#include "moving_pattern.hpp"
 #include "tied_unknowns.hpp"
 
 #include <isostretch/core/error.hpp>
@@ -100,23 +101,49 @@ bool Objective::has_pins() const {
 }
 
 const assembly::HessianPattern& Objective::pattern() {
-  if (!pattern_) {
-    assembly::PatternBuilder builder(node_count_);
-    for (const auto& term : terms_) term->add_to(builder);
-    for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)
-      if (pinned_[static_cast<std::size_t>(dof)])
-        pinned_[static_cast<std::size_t>(representative(dof))] = true;
-    for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)
-      if (pinned_[static_cast<std::size_t>(representative(dof))])
-        pinned_[static_cast<std::size_t>(dof)] = true;
-    pattern_ = std::make_unique<assembly::HessianPattern>(assembly::FreeUnknowns(dim_, node_count_, pinned_),
-                                                          std::move(builder));
-    for (const auto& term : terms_) term->bind(*pattern_);
-    tied_.reset();
-    if (!tied_to_.empty())
-      tied_ = std::make_unique<TiedUnknowns>(*pattern_, [this](int dof) { return representative(dof); });
-  }
+  if (!pattern_) make_pattern();
   return *pattern_;
+}
+
+void Objective::make_pattern() {
+  assembly::PatternBuilder builder(node_count_);
+  std::vector<Term*> moving;
+  for (const auto& term : terms_) {
+    if (term->has_moving_stencil())
+      moving.push_back(term.get());
+    else
+      term->add_to(builder);
+  }
+  for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)
+    if (pinned_[static_cast<std::size_t>(dof)]) pinned_[static_cast<std::size_t>(representative(dof))] = true;
+  for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)
+    if (pinned_[static_cast<std::size_t>(representative(dof))]) pinned_[static_cast<std::size_t>(dof)] = true;
+  pattern_ = std::make_unique<assembly::HessianPattern>(assembly::FreeUnknowns(dim_, node_count_, pinned_),
+                                                        std::move(builder));
+  for (const auto& term : terms_)
+    if (!term->has_moving_stencil()) term->bind(*pattern_);
+  moving_.reset();
+  if (!moving.empty()) moving_ = std::make_unique<MovingPattern>(*pattern_, std::move(moving));
+  tie_unknowns();
+}
+
+// Terms and pins are those of the pattern; stencils may have moved since.
+void Objective::follow_stencils() {
+  pattern();
+  if (!moving_ || !moving_->follow(*pattern_)) return;
+  ++stencil_version_;
+  tie_unknowns();
+}
+
+void Objective::tie_unknowns() {
+  tied_.reset();
+  if (!tied_to_.empty())
+    tied_ = std::make_unique<TiedUnknowns>(pattern_->unknowns(), untied_matrix(),
+                                           [this](int dof) { return representative(dof); });
+}
+
+const sparse::SymmetricMatrix& Objective::untied_matrix() const {
+  return moving_ ? moving_->zero_matrix() : pattern_->zero_matrix();
 }
 
 namespace {
@@ -136,9 +163,27 @@ Evaluation Objective::value(const Vector& x) {
   return sum;
 }
 
+bool Objective::has_exact_changes() const {
+  return std::any_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->has_exact_change(); });
+}
+
+Evaluation Objective::value_without_exact(const Vector& x) {
+  Evaluation sum;
+  for (const auto& term : terms_)
+    if (!term->has_exact_change()) accumulate(sum, term->value(x));
+  return sum;
+}
+
+double Objective::exact_change(const Vector& x, const Vector& dx, double t) {
+  double sum = 0;
+  for (const auto& term : terms_)
+    if (term->has_exact_change()) sum += term->change(x, dx, t);
+  return sum;
+}
+
 Evaluation Objective::differentiate(const Vector& x, const projection::FilterOptions& filter,
                                     Vector& gradient, bool hessian) {
-  if (hessian) pattern();
+  if (hessian) follow_stencils();
   gradient.setZero(dofs());
   Evaluation sum;
   for (const auto& term : terms_) accumulate(sum, term->differentiate(x, filter, gradient, hessian));
@@ -149,19 +194,22 @@ Evaluation Objective::differentiate(const Vector& x, const projection::FilterOpt
 
 void Objective::hessian(sparse::SymmetricMatrix& matrix) {
   std::vector<double>& values = tied_ ? tied_->untied_values() : matrix.value;
-  std::fill(values.begin(), values.end(), 0.0);
-  for (const auto& term : terms_) term->add_hessian(values.data());
+  std::vector<double>& of_fixed = moving_ ? moving_->fixed_values() : values;
+  std::fill(of_fixed.begin(), of_fixed.end(), 0.0);
+  for (const auto& term : terms_)
+    if (!term->has_moving_stencil()) term->add_hessian(of_fixed.data());
+  if (moving_) moving_->add_hessians(values);
   if (tied_) tied_->reduce(matrix.value);
 }
 
 const sparse::SymmetricMatrix& Objective::zero_matrix() {
-  const sparse::SymmetricMatrix& untied = pattern().zero_matrix();
-  return tied_ ? tied_->zero_matrix() : untied;
+  follow_stencils();
+  return tied_ ? tied_->zero_matrix() : untied_matrix();
 }
 
 void Objective::restrict(const Vector& gradient, Vector& reduced) {
   const auto& unknowns = pattern().unknowns();
-  reduced.setZero(zero_matrix().size);
+  reduced.setZero(tied_ ? tied_->zero_matrix().size : unknowns.size());
   for (int i = 0; i < unknowns.size(); ++i)
     reduced[tied_ ? tied_->unknown(i) : i] += gradient[unknowns.dof(i)];
 }
@@ -175,7 +223,7 @@ void Objective::extend(const Vector& reduced, Vector& direction) {
 
 std::vector<int> Objective::axes() {
   const auto& unknowns = pattern().unknowns();
-  std::vector<int> axis(static_cast<std::size_t>(zero_matrix().size));
+  std::vector<int> axis(static_cast<std::size_t>(tied_ ? tied_->zero_matrix().size : unknowns.size()));
   for (int i = 0; i < unknowns.size(); ++i)
     axis[static_cast<std::size_t>(tied_ ? tied_->unknown(i) : i)] = unknowns.dof(i) % dim_;
   return axis;

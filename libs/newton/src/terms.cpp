@@ -19,6 +19,19 @@ bool Term::has_barrier() const {
 void Term::require_fits(int, int) const {}
 void Term::begin_solve(const Vector&) {}
 void Term::accepted(const Vector&) {}
+bool Term::has_moving_stencil() const {
+  return false;
+}
+int Term::stencil_version() const {
+  return 0;
+}
+bool Term::has_exact_change() const {
+  return false;
+}
+double Term::change(const Vector& x, const Vector& dx, double t) {
+  const Vector there = x + t * dx;
+  return value(there).value - value(x).value;
+}
 int Term::element_not_finite() const {
   return -1;
 }

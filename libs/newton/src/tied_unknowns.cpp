@@ -1,21 +1,19 @@
 #include "tied_unknowns.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <numeric>
 
 namespace isostretch::newton {
 
-TiedUnknowns::TiedUnknowns(const assembly::HessianPattern& pattern,
+TiedUnknowns::TiedUnknowns(const assembly::FreeUnknowns& free, const sparse::SymmetricMatrix& untied,
                            const std::function<int(int)>& representative_dof) {
-  number_unknowns(pattern, representative_dof);
-  place_entries(pattern.zero_matrix());
+  number_unknowns(free, untied.group, representative_dof);
+  place_entries(untied);
 }
 
 // In the order of the representatives, which keeps unknowns of a node together.
-void TiedUnknowns::number_unknowns(const assembly::HessianPattern& pattern,
+void TiedUnknowns::number_unknowns(const assembly::FreeUnknowns& free, const std::vector<int>& group,
                                    const std::function<int(int)>& representative_dof) {
-  const auto& free = pattern.unknowns();
-  const auto& group = pattern.zero_matrix().group;
   unknown_.assign(static_cast<std::size_t>(free.size()), -1);
   for (int i = 0; i < free.size(); ++i) {
     // A representative has the smallest number of its set, so it has been met; a set is pinned whole or not
@@ -30,12 +28,14 @@ void TiedUnknowns::number_unknowns(const assembly::HessianPattern& pattern,
   }
 }
 
+// Two counting sorts, by row and then by column, leave the rows of every column in order.
 void TiedUnknowns::place_entries(const sparse::SymmetricMatrix& untied) {
   struct Entry {
     int column, row, from;
   };
+  const std::size_t count = untied.row.size(), size = static_cast<std::size_t>(matrix_.size);
   std::vector<Entry> entries;
-  counts_twice_.assign(untied.row.size(), false);
+  counts_twice_.assign(count, false);
   for (int j = 0; j < untied.size; ++j)
     for (int k = untied.column_start[static_cast<std::size_t>(j)];
          k < untied.column_start[static_cast<std::size_t>(j) + 1]; ++k) {
@@ -43,12 +43,19 @@ void TiedUnknowns::place_entries(const sparse::SymmetricMatrix& untied) {
       entries.push_back({std::min(a, b), std::max(a, b), k});
       counts_twice_[static_cast<std::size_t>(k)] = i != j && a == b;
     }
-  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
-    return std::pair(x.column, x.row) < std::pair(y.column, y.row);
-  });
-  values_.assign(untied.row.size(), 0.0);
-  place_.assign(untied.row.size(), 0);
-  matrix_.column_start.assign(static_cast<std::size_t>(matrix_.size) + 1, 0);
+  const auto sort_by = [&](int Entry::*key) {
+    std::vector<std::size_t> next(size + 1, 0);
+    for (const Entry& entry : entries) ++next[static_cast<std::size_t>(entry.*key) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Entry> sorted(count);
+    for (const Entry& entry : entries) sorted[next[static_cast<std::size_t>(entry.*key)]++] = entry;
+    entries.swap(sorted);
+  };
+  sort_by(&Entry::row);
+  sort_by(&Entry::column);
+  values_.assign(count, 0.0);
+  place_.assign(count, 0);
+  matrix_.column_start.assign(size + 1, 0);
   for (std::size_t e = 0; e < entries.size(); ++e) {
     const bool fresh =
         e == 0 || entries[e].column != entries[e - 1].column || entries[e].row != entries[e - 1].row;
@@ -58,8 +65,7 @@ void TiedUnknowns::place_entries(const sparse::SymmetricMatrix& untied) {
     }
     place_[static_cast<std::size_t>(entries[e].from)] = matrix_.nonzeros() - 1;
   }
-  for (std::size_t j = 0; j < static_cast<std::size_t>(matrix_.size); ++j)
-    matrix_.column_start[j + 1] += matrix_.column_start[j];
+  std::partial_sum(matrix_.column_start.begin(), matrix_.column_start.end(), matrix_.column_start.begin());
   matrix_.value.assign(matrix_.row.size(), 0.0);
 }
 

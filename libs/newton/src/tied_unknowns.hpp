@@ -13,9 +13,11 @@ namespace isostretch::newton {
 // its place.
 class TiedUnknowns {
  public:
-  TiedUnknowns(const assembly::HessianPattern& pattern, const std::function<int(int)>& representative_dof);
+  // free: what is not pinned; untied: the matrix over it.
+  TiedUnknowns(const assembly::FreeUnknowns& free, const sparse::SymmetricMatrix& untied,
+               const std::function<int(int)>& representative_dof);
 
-  // The unknown that a free unknown of the pattern is.
+  // The unknown that a free unknown is.
   int unknown(int free) const { return unknown_[static_cast<std::size_t>(free)]; }
   const sparse::SymmetricMatrix& zero_matrix() const { return matrix_; }
 
@@ -24,7 +26,7 @@ class TiedUnknowns {
   void reduce(std::vector<double>& values) const;
 
  private:
-  void number_unknowns(const assembly::HessianPattern& pattern,
+  void number_unknowns(const assembly::FreeUnknowns& free, const std::vector<int>& group,
                        const std::function<int(int)>& representative_dof);
   void place_entries(const sparse::SymmetricMatrix& untied);
 

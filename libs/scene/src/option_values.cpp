@@ -28,7 +28,7 @@ void read(const Node& node, const OptionField& option) {
                         [&](double* value) { *value = node.number(range); },
                         [&](std::string* value) { *value = node.text(); },
                         [&](const ChoiceSlot& choice) {
-                          node.require_one_of(choice.names);
+                          node.require_one_of(choice.names());
                           choice.set(node.text());
                         },
                         [&](const std::vector<OptionField>& inner) { read_options(node, inner); }},
@@ -74,7 +74,8 @@ Value schema_of(const OptionField& option) {
                           add_range(option.field.range, schema);
                         },
                         [&](const ChoiceSlot& choice) {
-                          schema["enum"] = Value::list({choice.names.begin(), choice.names.end()});
+                          const std::vector<std::string> names = choice.names();
+                          schema["enum"] = Value::list({names.begin(), names.end()});
                         },
                         [](const std::vector<OptionField>&) {}},
              option.slot);
@@ -93,7 +94,7 @@ std::string kind_of(const OptionField& option) {
                                [](const std::string*) { return std::string("a text"); },
                                [&](const int*) { return option.field.range.in_words(true); },
                                [&](const double*) { return option.field.range.in_words(false); },
-                               [](const ChoiceSlot& choice) { return quoted(choice.names); },
+                               [](const ChoiceSlot& choice) { return quoted(choice.names()); },
                                [](const std::vector<OptionField>&) { return std::string("an object"); }},
                     option.slot);
 }

@@ -44,8 +44,7 @@ class InteriorPoint {
 
  private:
   void iterate() {
-    if (progress_.iterations() >= options_.max_iterations)
-      return give_up(Status::iterations, "max_iterations reached");
+    if (progress_.give_up_at_limit(x_, multipliers(&Cone::multipliers))) return;
     if (multipliers_exploded() && progress_.give_up_contradicted(x_, multipliers(&Cone::multipliers))) return;
     for (Cone& cone : cones_)
       if (!cone.scale())
@@ -94,7 +93,7 @@ class InteriorPoint {
   bool factorize() {
     system_.weighted(cones_[0].weight(), work_.matrix);
     if (cones_.size() > 1) system_.add_stretch_weighted(cones_[1].weight(), work_.matrix);
-    const sparse::FactorResult result = work_.newton_solver().factorize(work_.matrix);
+    const sparse::FactorResult result = work_.factorize();
     progress_.count_solve();
     if (!result) give_up(Status::failed, result.message);
     return static_cast<bool>(result);
@@ -103,10 +102,7 @@ class InteriorPoint {
   void solve_direction() {
     Vector gradient = progress_.gradient();
     subtract_adjoint(system_, multipliers(&Cone::pull), gradient);
-    const Vector right = -system_.unknown_part(gradient);
-    Vector direction(right.size());
-    work_.newton_solver().solve_columns(right.data(), direction.data(), 1);
-    dx_ = system_.spread_out(direction);
+    dx_ = work_.direction(gradient).dx;
     const Constrained change = system_.change_of_constrained(dx_);
     cones_[0].set_direction(change.orientation);
     if (cones_.size() > 1) cones_[1].set_direction(change.stretch);

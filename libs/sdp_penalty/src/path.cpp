@@ -1,5 +1,7 @@
 #include "path.hpp"
 
+#include <isostretch/core/backtracking.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,26 +58,21 @@ void Path::take_step() {
 
 bool Path::newton_step() {
   System& system = work_.system;
-  if (progress_.iterations() >= options_.max_iterations) {
-    progress_.give_up(Status::iterations, "max_iterations reached", x_, {state_.multiplier, {}});
-    return false;
-  }
+  if (progress_.give_up_at_limit(x_, {state_.multiplier, {}})) return false;
   Blocks pull = state_.multiplier;
   for (double& entry : pull) entry = -entry;
   gradient_ = progress_.gradient();
   system.add_adjoint(pull, gradient_);
   system.curved(state_.curvature, work_.matrix);
-  const sparse::FactorResult result = work_.newton_solver().factorize(work_.matrix);
+  const sparse::FactorResult result = work_.factorize();
   progress_.count_solve();
   if (!result) {
     progress_.give_up(Status::failed, result.message, x_, {state_.multiplier, {}});
     return false;
   }
-  const Vector right = -system.unknown_part(gradient_);
-  Vector direction(right.size());
-  work_.newton_solver().solve_columns(right.data(), direction.data(), 1);
-  dx_ = system.spread_out(direction);
-  decrement_ = right.dot(direction);
+  Workspace::Direction direction = work_.direction(gradient_);
+  dx_.swap(direction.dx);
+  decrement_ = direction.decrement;
   return true;
 }
 
@@ -113,12 +110,14 @@ double Path::change_of_sums(double step) const {
 bool Path::search(bool published) {
   work_.system.constraints(dx_, change_of_S_);
   const double slack = published ? 0.0 : noise() + 8 * unit * unit * progress_.last().energy;
-  step_ = 1;
-  for (int i = 0; i <= most_halvings; ++i, step_ *= 0.5) {
-    const double gained = published ? change_of_sums(step_) : change(step_);
-    if (gained <= -sufficient * step_ * decrement_ + slack) return true;
-  }
-  return false;
+  const BacktrackedStep found = backtrack(
+      {1, 0.5, 1 + most_halvings},
+      [&](double step) { return published ? change_of_sums(step) : change(step); },
+      [&](double step, double by) {
+        return by <= -sufficient * step * decrement_ + slack ? Trial::accept : Trial::shorten;
+      });
+  step_ = found.step;
+  return found.accepted;
 }
 
 }  // namespace isostretch::sdp_penalty

@@ -55,11 +55,22 @@ sparse::Solver& Workspace::newton_solver() {
   return *newton_solver_;
 }
 
+sparse::FactorResult Workspace::factorize() {
+  return newton_solver().factorize(matrix);
+}
+
+Workspace::Direction Workspace::direction(const Vector& gradient) {
+  const Vector right = -system.unknown_part(gradient);
+  Vector solution(right.size());
+  newton_solver().solve_columns(right.data(), solution.data(), 1);
+  return {system.spread_out(solution), right.dot(solution)};
+}
+
 Progress::Progress(Workspace& work, const Options& options, const IterationCallback& callback)
     : work_(work),
       options_(options),
-      callback_(callback),
-      ends_at_certificate_(options.method != Method::penalty || !options.penalty.as_published) {}
+      ends_at_certificate_(options.method != Method::penalty || !options.penalty.as_published),
+      driver_(summary_, callback, options.stop, Status::callback) {}
 
 void Progress::count_infeasible(Iteration& row, const Constrained& at_x) const {
   const System& system = work_.system;
@@ -83,12 +94,12 @@ void Progress::count_infeasible(Iteration& row, const Constrained& at_x) const {
 void Progress::record(Iteration row, const Vector& x, const Constrained& at_x,
                       const Constrained& multipliers) {
   const System& system = work_.system;
-  row.iteration = summary_.iterations;
   row.energy = summary_.energy = energy(system.problem(), x);
   if (!std::isfinite(row.energy)) {
     row.min_eigenvalue = std::numeric_limits<double>::quiet_NaN();
     row.lower_bound = -std::numeric_limits<double>::infinity();
     row.inverted = row.infeasible = static_cast<int>(system.blocks());
+    row.iteration = summary_.iterations;
     summary_.trace.push_back(row);
     return end(Status::failed, "the energy is not finite");
   }
@@ -99,36 +110,29 @@ void Progress::record(Iteration row, const Vector& x, const Constrained& at_x,
   const auto determinants = system.determinants(x);
   row.inverted = static_cast<int>(
       std::count_if(determinants.begin(), determinants.end(), [](double d) { return !(d > 0); }));
-  row.seconds = timer_.seconds();
-  summary_.trace.push_back(row);
   log(LogLevel::trace, [&] {
-    return "sdp_penalty: iteration " + std::to_string(row.iteration) + ": energy " + to_text(row.energy) +
-           ", bound " + to_text(row.lower_bound) + ", " + std::to_string(row.inverted) + " inverted";
+    return "sdp_penalty: iteration " + std::to_string(summary_.iterations) + ": energy " +
+           to_text(row.energy) + ", bound " + to_text(row.lower_bound) + ", " + std::to_string(row.inverted) +
+           " inverted";
   });
-  if (ends_at_certificate_ && certified())
+  // Before the callback is asked: what is certified stays so, whatever it says.
+  if (ends_at_certificate_ && certified(row))
     end(Status::optimal, "feasible, and the certified gap is within gap_tolerance");
-  if (callback_ && callback_(row, x) == CallbackAction::stop && !ended())
-    end(Status::callback, "stopped by the callback");
-  if (options_.stop.should_stop() && !ended()) end(Status::callback, "interrupted");
+  driver_.record(row, x);
+  if (options_.stop.deadline_passed()) end(Status::callback, "interrupted");
 }
 
-bool Progress::certified() const {
+bool Progress::certified(const Iteration& row) const {
   // A bound above the energy of a feasible x is one of rounding, and proves nothing.
-  const double reached = last().energy;
-  return feasible() && summary_.lower_bound <= reached + 1e-9 * std::abs(reached) &&
-         gap() <= options_.gap_tolerance;
+  return row.infeasible == 0 && summary_.lower_bound <= row.energy + 1e-9 * std::abs(row.energy) &&
+         gap(row) <= options_.gap_tolerance;
 }
 
-double Progress::gap() const {
-  const double reached = last().energy, bound = summary_.lower_bound;
+double Progress::gap(const Iteration& row) const {
+  const double reached = row.energy, bound = summary_.lower_bound;
   // Both may be 0 at rest but for rounding: energies are sums of squares of numbers around 1.
   const double rounding = 1e-15 * static_cast<double>(work_.system.blocks());
   return std::max(0.0, reached - bound) / std::max({std::abs(reached), std::abs(bound), rounding});
-}
-
-void Progress::end(Status status, std::string message) {
-  summary_.status = status;
-  summary_.message = std::move(message);
 }
 
 void Progress::name_suspects(const Constrained& multipliers) {
@@ -188,17 +192,22 @@ bool Progress::contradiction(const Vector& x, Blocks Y) {
 
 void Progress::give_up(Status status, const std::string& reason, const Vector& x,
                        const Constrained& multipliers) {
-  end(status, reason);
-  if (feasible()) {  // only the gap is open
+  if (feasible())  // only the gap is open
     end(status == Status::failed ? Status::path_end : status, reason);
-    return name_suspects(multipliers);
-  }
-  // Where stretch is bounded the multipliers of the orientations alone prove as much as ever.
-  if (contradiction(x, multipliers.orientation))
+  else if (contradiction(x, multipliers.orientation))
+    // Where stretch is bounded the multipliers of the orientations alone prove as much as ever.
     end(Status::inadmissible,
         "no position to speak of is strictly feasible: ex-rotations or hard targets contradict each other (" +
             reason + ")");
+  else
+    end(status, reason);
   name_suspects(multipliers);
+}
+
+bool Progress::give_up_at_limit(const Vector& x, const Constrained& multipliers) {
+  if (driver_.limit_reached(options_.max_iterations) != SolveStatus::iteration_limit) return false;
+  give_up(Status::iterations, "max_iterations reached", x, multipliers);
+  return true;
 }
 
 bool Progress::give_up_contradicted(const Vector& x, const Constrained& multipliers) {
@@ -218,7 +227,7 @@ Summary Progress::finish(const Vector& x) {
     summary_.min_determinant = *std::min_element(determinants.begin(), determinants.end());
     if (feasible()) summary_.gap = gap();
   }
-  summary_.seconds = timer_.seconds();
+  summary_.seconds = driver_.seconds();
   log(LogLevel::debug, [&] {
     return "sdp_penalty: " + std::to_string(summary_.iterations) + " iterations, " +
            std::to_string(summary_.linear_solves) + " linear solves: " + summary_.message;

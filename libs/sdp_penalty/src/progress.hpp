@@ -3,11 +3,12 @@
 #include "certificate.hpp"
 #include "system.hpp"
 
-#include <isostretch/core/timer.hpp>
+#include <isostretch/core/iteration_driver.hpp>
 #include <isostretch/sdp_penalty/solver.hpp>
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace isostretch::sdp_penalty {
 
@@ -17,9 +18,15 @@ struct Workspace {
 
   System system;
   Unconstrained unconstrained;
-  // Of Newton systems; analyzed when first asked for.
-  sparse::Solver& newton_solver();
+  // Of Newton systems: set its values, and factorise; the solver is analyzed when first asked for.
   sparse::SymmetricMatrix matrix;
+  sparse::FactorResult factorize();
+  // The Newton direction over all degrees of freedom, and g^T H^-1 g.
+  struct Direction {
+    Vector dx;
+    double decrement = 0;
+  };
+  Direction direction(const Vector& gradient);
 
   // Of the solve before, where the next may start.
   Vector last_x;
@@ -27,6 +34,8 @@ struct Workspace {
   double last_tau = 0;
 
  private:
+  sparse::Solver& newton_solver();
+
   sparse::Options options_;
   std::unique_ptr<sparse::Solver> newton_solver_;
 };
@@ -40,37 +49,39 @@ class Progress {
   // method alone knows. Ends the solve when x is feasible and the gap closed, when x is not finite, and when
   // the callback says so.
   void record(Iteration row, const Vector& x, const Constrained& at_x, const Constrained& multipliers);
-  bool ended() const { return summary_.status != Status::not_run; }
-  void end(Status status, std::string message);
+  bool ended() const { return driver_.ended(); }
+  void end(Status status, std::string message) { driver_.end(status, std::move(message)); }
   // Names suspects by their multipliers, and calls it inadmissible where these prove it.
   void give_up(Status status, const std::string& reason, const Vector& x, const Constrained& multipliers);
 
+  // The same where max_iterations is reached; true when it is.
+  bool give_up_at_limit(const Vector& x, const Constrained& multipliers);
   // The same as inadmissible when the multipliers prove it already; true when it did.
   bool give_up_contradicted(const Vector& x, const Constrained& multipliers);
 
   void count_solve() { ++summary_.linear_solves; }
   void count_iteration() { ++summary_.iterations; }
-  int iterations() const { return summary_.iterations; }
   const Iteration& last() const { return summary_.trace.back(); }
   // Of the objective at the last x.
   const Vector& gradient() const { return gradient_; }
   bool feasible() const { return last().infeasible == 0; }
-  double gap() const;
-  bool certified() const;  // feasible, and the gap is within the tolerance
+  double gap() const { return gap(last()); }
+  bool certified() const { return certified(last()); }  // feasible, and the gap is within the tolerance
   Summary finish(const Vector& x);
 
  private:
+  double gap(const Iteration& row) const;
+  bool certified(const Iteration& row) const;
   void name_suspects(const Constrained& multipliers);
   bool contradiction(const Vector& x, Blocks Y);
   void count_infeasible(Iteration& row, const Constrained& at_x) const;
 
   Workspace& work_;
   const Options& options_;
-  const IterationCallback& callback_;
   bool ends_at_certificate_;  // Algorithm 1 as published does not
-  Timer timer_;
   Vector gradient_;
   Summary summary_;
+  IterationDriver<Summary> driver_;
 };
 
 }  // namespace isostretch::sdp_penalty

@@ -54,6 +54,48 @@ void register_all(const std::string& name, const SymmetricMatrix& A) {
     }
 }
 
+// A pattern that gains and loses a few far couplings, as contact makes them: pattern/<name>/<new ordering or
+// kept>.
+SymmetricMatrix with_couplings(const SymmetricMatrix& A, int dim, int count, int first) {
+  test::Triplets triplets;
+  for (int j = 0; j < A.size; ++j)
+    for (int k = A.column_start[j]; k < A.column_start[j + 1]; ++k) {
+      triplets.emplace_back(A.row[k], j, A.value[k]);
+      if (A.row[k] != j) triplets.emplace_back(j, A.row[k], A.value[k]);
+    }
+  const int nodes = A.size / dim, half = nodes / 2;
+  for (int i = 0; i < count; ++i)
+    test::add_edge(triplets, (first + 7 * i) % half, half + (3 * first + 7 * i) % half, dim, 1.0);
+  return test::finish(nodes, dim, 0, triplets);
+}
+
+void change_pattern(benchmark::State& state, const SymmetricMatrix& A, int dim, int count, bool keep) {
+  Options options;
+  options.backend = available_backends().front();
+  const auto solver = make_solver(options);
+  solver->analyze(A);
+  const SymmetricMatrix patterns[] = {with_couplings(A, dim, count, 1), with_couplings(A, dim, count, 100)};
+  int round = 0;
+  for (auto _ : state) {
+    const SymmetricMatrix& next = patterns[round++ % 2];
+    keep ? solver->update_pattern(next) : solver->analyze(next);
+  }
+  solver->factorize(patterns[(round + 1) % 2]);
+  report(state, *solver);
+  state.counters["orderings"] = solver->statistics().orderings;
+}
+
+void register_changes(const std::string& name, const SymmetricMatrix& A, int dim) {
+  for (const int count : {1, 30, 300})
+    for (const bool keep : {false, true}) {
+      const std::string label = "pattern/" + name + "/" + std::to_string(count) + "_couplings/" +
+                                (keep ? "ordering_kept" : "ordering_anew");
+      benchmark::RegisterBenchmark(label.c_str(), [=, &A](benchmark::State& state) {
+        change_pattern(state, A, dim, count, keep);
+      })->Unit(benchmark::kMillisecond);
+    }
+}
+
 // Largest memory of the process so far, in MB: run one case a process for a figure of its own.
 double peak_memory() {
   std::ifstream status("/proc/self/status");
@@ -128,6 +170,8 @@ int main(int argc, char** argv) {
   register_all("grid_2d/25921_nodes", large);
   register_all("grid_3d/729_nodes", tets_small);
   register_all("grid_3d/4913_nodes", tets);
+  register_changes("grid_2d/25921_nodes", large, 2);
+  register_changes("grid_3d/4913_nodes", tets, 3);
   for (const int cells : {12, 16, 24, 32, 40, 56}) {
     register_elasticity(cells, "plain", 0.3, 1);
     register_elasticity(cells, "incompressible", 0.495, 1);

@@ -47,11 +47,24 @@ class AutomaticSolver final : public Solver {
   // A factorization unless it does not fit into memory or takes more operations than this.
   FactorResult direct(const SymmetricMatrix& A, double most_flops) {
     use(make_direct_solver(options_));
-    const FactorResult result = chosen_->analyze(A);
+    most_flops_ = most_flops;
+    return judged(chosen_->analyze(A), A);
+  }
+
+  FactorResult judged(const FactorResult& analysis, const SymmetricMatrix& A) {
     const Statistics& factor = chosen_->statistics();
-    const bool too_large = result.status == FactorStatus::out_of_memory ||
+    const bool too_large = analysis.status == FactorStatus::out_of_memory ||
                            bytes_per_entry * factor.factor_nonzeros > share_of_memory * physical_memory();
-    if (too_large || (factor.factor_flops > most_flops && is_spatial(A))) return iterative(A);
+    if (too_large || (factor.factor_flops > most_flops_ && is_spatial(A))) return iterative(A);
+    take_statistics();
+    return analysis;
+  }
+
+  // The choice stays, unless the factor outgrows what may be factorised.
+  FactorResult do_update_pattern(const SymmetricMatrix& A) override {
+    const bool factorises = chosen_->statistics().backend != Backend::pcg;
+    const FactorResult result = chosen_->update_pattern(A);
+    if (factorises) return judged(result, A);
     take_statistics();
     return result;
   }
@@ -129,6 +142,7 @@ class AutomaticSolver final : public Solver {
     statistics_.ordering = from.ordering;
     statistics_.factor_nonzeros = from.factor_nonzeros;
     statistics_.factor_flops = from.factor_flops;
+    statistics_.orderings += from.orderings - counted_.orderings;
     statistics_.ordering_seconds += from.ordering_seconds - counted_.ordering_seconds;
     statistics_.factorizations += from.factorizations - counted_.factorizations;
     statistics_.multiplications += from.multiplications - counted_.multiplications;
@@ -139,7 +153,8 @@ class AutomaticSolver final : public Solver {
   SymmetricMatrix matrix_;    // of pcg, as long as it may be given up
   bool may_give_up_ = false;  // pcg has not failed yet on this pattern
   std::unique_ptr<Solver> chosen_;
-  Statistics counted_;  // of chosen_, so far
+  Statistics counted_;     // of chosen_, so far
+  double most_flops_ = 0;  // of a factorization
   double tolerance_ = 0;
   std::vector<double> positions_;
   std::vector<int> axis_;

@@ -5,13 +5,15 @@
 #include "permuted_matrix.hpp"
 #include "serial_openmp.hpp"
 
-#include <isostretch/core/timer.hpp>
-
 #include <algorithm>
 #include <string>
 
 namespace isostretch::sparse {
 namespace {
+
+// A pattern that has changed gets a new ordering when its factorization with the old one takes so many times
+// the operations that it took when the ordering was new.
+constexpr double worth_ordering = 2;
 
 class CholmodSolver final : public Solver {
  public:
@@ -30,13 +32,21 @@ class CholmodSolver final : public Solver {
 
  private:
   FactorResult do_analyze(const SymmetricMatrix& A) override {
+    permutation_ = ordering_.compute(A, options_.ordering, statistics_);
+    const FactorResult result = analyze_permuted(A);
+    flops_when_ordered_ = statistics_.factor_flops;
+    return result;
+  }
+
+  FactorResult do_update_pattern(const SymmetricMatrix& A) override {
+    permutation_ = ordering_.adapt(A);
+    const FactorResult result = analyze_permuted(A);
+    return result && statistics_.factor_flops > worth_ordering * flops_when_ordered_ ? do_analyze(A) : result;
+  }
+
+  FactorResult analyze_permuted(const SymmetricMatrix& A) {
     clear();
-    const Timer timer;
-    OrderingResult ordering = compute_ordering(A, options_.ordering);
-    statistics_.ordering_seconds += timer.seconds();
-    statistics_.ordering = ordering.used;
-    permutation_ = std::move(ordering.permutation);
-    if (ordering.used != Ordering::natural && !postorder(A)) return failure("symbolic analysis");
+    if (statistics_.ordering != Ordering::natural && !postorder(A)) return failure("symbolic analysis");
     permuted_ = PermutedMatrix(A, permutation_);
     return symbolic();
   }
@@ -142,7 +152,9 @@ class CholmodSolver final : public Solver {
 
   Options options_;
   CholmodSession session_;
+  KeptOrdering ordering_;
   std::vector<int> permutation_;  // position -> unknown
+  double flops_when_ordered_ = 0;
   PermutedMatrix permuted_;
   std::vector<double> work_;
   cholmod_factor* factor_ = nullptr;

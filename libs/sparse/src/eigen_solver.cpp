@@ -3,8 +3,6 @@
 #include "ordering.hpp"
 #include "permuted_matrix.hpp"
 
-#include <isostretch/core/timer.hpp>
-
 #include <Eigen/SparseCholesky>
 
 namespace isostretch::sparse {
@@ -26,11 +24,16 @@ class EigenSolver final : public Solver {
   }
 
   FactorResult do_analyze(const SymmetricMatrix& A) override {
-    const Timer timer;
-    OrderingResult ordering = compute_ordering(A, options_.ordering);
-    statistics_.ordering_seconds += timer.seconds();
-    statistics_.ordering = ordering.used;
-    permutation_ = std::move(ordering.permutation);
+    permutation_ = ordering_.compute(A, options_.ordering, statistics_);
+    return analyze_permuted(A);
+  }
+
+  FactorResult do_update_pattern(const SymmetricMatrix& A) override {
+    permutation_ = ordering_.adapt(A);
+    return analyze_permuted(A);
+  }
+
+  FactorResult analyze_permuted(const SymmetricMatrix& A) {
     permuted_ = PermutedMatrix(A, permutation_);
     factor_.analyzePattern(view());
     return {};
@@ -64,6 +67,7 @@ class EigenSolver final : public Solver {
   }
 
   Options options_;
+  KeptOrdering ordering_;
   std::vector<int> permutation_;
   PermutedMatrix permuted_;
   Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;

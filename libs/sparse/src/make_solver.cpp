@@ -1,4 +1,5 @@
 #include "automatic_solver.hpp"
+#include "backends.hpp"
 #include "cholmod_solver.hpp"
 #include "direct_solver.hpp"
 #include "eigen_solver.hpp"
@@ -41,6 +42,10 @@ std::unique_ptr<Solver> make_direct_solver(const Options& options) {
 
 std::unique_ptr<Solver> make_solver(const Options& options) {
   require_valid(options);
+  if (auto registered = make_registered_solver(options)) {
+    registered->statistics_.backend = options.backend;
+    return registered;
+  }
   if (options.backend == Backend::pcg) return make_pcg_solver(options);
   if (options.backend == Backend::automatic) return make_automatic_solver(options);
   return make_direct_solver(options);

@@ -1,6 +1,7 @@
 #include "ordering.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/timer.hpp>
 
 #include <Eigen/OrderingMethods>
 
@@ -9,6 +10,7 @@
 #include <new>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #if defined(ISOSTRETCH_WITH_CHOLMOD)
 #include "cholmod_session.hpp"
@@ -117,11 +119,37 @@ bool is_of_3d_kind(const SymmetricMatrix& A) {
   return dense_as_in_3d(group_graph(A).matrix);
 }
 
-OrderingResult compute_ordering(const SymmetricMatrix& A, Ordering wanted) {
-  if (wanted == Ordering::natural) return {wanted, natural_ordering(A.size)};
+std::vector<int> KeptOrdering::compute(const SymmetricMatrix& A, Ordering wanted, Statistics& statistics) {
+  const ScopedTimer timer(statistics.ordering_seconds);
+  ++statistics.orderings;
+  used_ = wanted;
+  if (wanted != Ordering::natural) {
+    GroupGraph graph = group_graph(A);
+    if (wanted == Ordering::automatic) used_ = choose(graph.matrix);
+    groups_ = graph_ordering(graph.matrix, used_);
+    column_start_ = std::move(graph.matrix.column_start);
+    row_ = std::move(graph.matrix.row);
+    statistics.ordering = used_;
+    return expand(groups_, graph.first);
+  }
+  statistics.ordering = used_;
+  return natural_ordering(A.size);
+}
+
+std::vector<int> KeptOrdering::adapt(const SymmetricMatrix& A) const {
+  if (used_ == Ordering::natural) return natural_ordering(A.size);
   const GroupGraph graph = group_graph(A);
-  if (wanted == Ordering::automatic) wanted = choose(graph.matrix);
-  return {wanted, expand(graph_ordering(graph.matrix, wanted), graph.first)};
+  const SymmetricMatrix& G = graph.matrix;
+  std::vector<bool> moved(groups_.size(), false);
+  for (int g = 0; g < G.size; ++g)
+    for (int k = G.column_start[g], known = column_start_[g]; k < G.column_start[g + 1]; ++k) {
+      while (known < column_start_[g + 1] && row_[known] < G.row[k]) ++known;
+      const bool is_new = known == column_start_[g + 1] || row_[known] != G.row[k];
+      if (is_new && !moved[g] && !moved[G.row[k]]) moved[g] = true;
+    }
+  std::vector<int> groups = groups_;
+  std::stable_partition(groups.begin(), groups.end(), [&](int g) { return !moved[g]; });
+  return expand(groups, graph.first);
 }
 
 }  // namespace isostretch::sparse

@@ -24,22 +24,39 @@ void require_finite(const double* b, int rows, int columns) {
 Solver::Solver() = default;
 Solver::~Solver() = default;
 
-FactorResult Solver::analyze(const SymmetricMatrix& A) {
+template <class Analysis>
+FactorResult Solver::take_pattern(const SymmetricMatrix& A, const Analysis& analysis) {
   const ScopedTimer timer(statistics_.analyze_seconds);
   ++statistics_.analyze_calls;
-  state_ = State::empty;
   A.validate();
+  state_ = State::empty;
   size_ = A.size;
   try {
     column_start_ = A.column_start;
     row_ = A.row;
-    analysis_ = size_ == 0 ? FactorResult{} : do_analyze(A);
+    group_ = A.group;
+    analysis_ = size_ == 0 ? FactorResult{} : analysis();
   } catch (const std::bad_alloc&) {
     analysis_ = {FactorStatus::out_of_memory, -1, "out of memory in the symbolic analysis"};
   }
   state_ = State::analyzed;
   log_analysis();
   return analysis_;
+}
+
+FactorResult Solver::analyze(const SymmetricMatrix& A) {
+  state_ = State::empty;
+  return take_pattern(A, [&] { return do_analyze(A); });
+}
+
+FactorResult Solver::update_pattern(const SymmetricMatrix& A) {
+  if (state_ == State::empty) throw Error("sparse solver: update_pattern() needs an analyze() first");
+  if (A.size != size_ || A.group != group_)
+    throw Error("sparse solver: update_pattern() of a matrix of size " + std::to_string(A.size) +
+                ", after analyze() of size " + std::to_string(size_) + ": size and groups stay");
+  // What an analysis that failed has left is nothing to start from.
+  if (!analysis_) return analyze(A);
+  return take_pattern(A, [&] { return do_update_pattern(A); });
 }
 
 void Solver::log_analysis() const {

@@ -47,6 +47,7 @@ void StaleCholesky::apply(const double* r, double* z) {
 void StaleCholesky::report(Statistics& statistics) const {
   const Statistics& factor = factor_->statistics();
   statistics.ordering = factor.ordering;
+  statistics.orderings = factor.orderings;
   statistics.ordering_seconds = factor.ordering_seconds;
   statistics.factor_nonzeros = factor.factor_nonzeros;
   statistics.factor_flops = factor.factor_flops;

@@ -5,11 +5,11 @@
 #include "stagnation.hpp"
 
 #include <isostretch/core/timer.hpp>
+#include <isostretch/newton/minimization_driver.hpp>
 #include <isostretch/newton/positions.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 namespace isostretch::baselines {
@@ -79,69 +79,51 @@ class FirstOrderDriver {
  public:
   FirstOrderDriver(FirstOrderMethod& method, const DistortionProblem& problem, Vector& x,
                    const MethodOptions& options, const newton::IterationCallback& callback)
-      : method_(method), x_(x), options_(options), callback_(callback), pieces_(problem, summary_) {}
+      : method_(method),
+        x_(x),
+        options_(shared_options(options)),
+        driver_(summary_, options_, callback),
+        pieces_(problem, summary_) {}
 
   newton::Summary run() {
     if (start())
-      while (!stop_before_step() && take_step()) {
+      while (goes_on() && take_step()) {
       }
-    return finish();
+    if (summary_.status != Status::failed_start) x_.swap(at_.x);
+    driver_.finish(pieces_.metric().solver());
+    return std::move(summary_);
   }
 
  private:
   bool start() {
-    if (!x_.allFinite()) return end(Status::failed_start, "the start has positions that are not finite");
+    if (!driver_.begin(x_)) return false;
     at_.x = x_;
     const newton::Evaluation start = pieces_.differentiate(at_.x, at_.gradient);
-    summary_.initial_energy = summary_.energy = at_.energy = start.value;
-    if (!std::isfinite(start.value))
-      return end(Status::failed_start,
-                 "the energy is not finite at the start" +
-                     (start.worst_element >= 0 ? ": first at element " + std::to_string(start.worst_element)
-                                               : std::string()));
+    at_.energy = start.value;
+    if (!driver_.begin(start)) return false;
     if (!at_.gradient.allFinite())
-      return end(Status::failed_start, "the gradient is not finite at the start");
-    return record({});
+      return driver_.end(Status::failed_start, "the gradient is not finite at the start");
+    return driver_.record({}, at_.x, at_.energy, at_.gradient);
   }
 
-  bool record(newton::Iteration row) {
-    row.iteration = summary_.iterations;
-    row.seconds = timer_.seconds();
-    row.energy = at_.energy;
-    row.gradient_inf_norm = summary_.gradient_inf_norm = at_.gradient.cwiseAbs().maxCoeff();
-    summary_.trace.push_back(row);
-    if (callback_ && callback_(row, at_.x) == newton::CallbackAction::stop)
-      return end(Status::stopped_by_callback, "stopped by the callback");
-    return true;
-  }
-
-  bool stop_before_step() {
-    if (summary_.status != Status::not_run) return true;
-    const double norm = summary_.gradient_inf_norm;
-    if (pieces_.metric().unknowns() == 0)
-      return !end(Status::converged_gradient, "every degree of freedom is pinned");
-    if (options_.gradient_tolerance > 0 && norm <= options_.gradient_tolerance)
-      return !end(Status::converged_gradient, "|gradient|_inf is within gradient_tolerance");
-    if (norm == 0) return !end(Status::converged_gradient, "the gradient is zero");
-    if (stagnation_.found(at_.energy, norm, pieces_.noise(at_)))
-      return !end(Status::converged_roundoff, "neither energy nor gradient improves any more");
-    if (summary_.iterations >= options_.max_iterations)
-      return !end(Status::stopped_iterations, "max_iterations reached");
-    if (options_.time_limit > 0 && timer_.seconds() >= options_.time_limit)
-      return !end(Status::stopped_time, "time_limit reached");
-    return false;
+  bool goes_on() {
+    if (!driver_.go_on_with_gradient(pieces_.metric().unknowns()) || !driver_.go_on_with_slope())
+      return false;
+    if (stagnation_.found(at_.energy, summary_.gradient_inf_norm, pieces_.noise(at_)))
+      return driver_.end(Status::converged_roundoff, "neither energy nor gradient improves any more");
+    return driver_.go_on_within_limits();
   }
 
   bool take_step() {
     if (summary_.factorizations == 0)
       if (const sparse::FactorResult result = pieces_.factorize(); !result)
-        return end(Status::failed_factorization, result.message);
+        return driver_.end(Status::failed_factorization, result.message);
     Step step = counted_step();
     if (!step.taken && method_.restart()) step = counted_step();
     if (!step.taken)
       return step.at_roundoff
-                 ? end(Status::converged_roundoff, "no step lowers the energy beyond its rounding")
-                 : end(Status::failed_line_search, "no step along the direction lowers the energy");
+                 ? driver_.end(Status::converged_roundoff, "no step lowers the energy beyond its rounding")
+                 : driver_.end(Status::failed_line_search, "no step along the direction lowers the energy");
     return accept(std::move(step));
   }
 
@@ -156,38 +138,18 @@ class FirstOrderDriver {
     next.x.swap(step.x);
     next.energy = pieces_.differentiate(next.x, next.gradient).value;
     if (!std::isfinite(next.energy) || !next.gradient.allFinite())
-      return end(Status::failed_line_search, "energy or gradient is not finite after a step");
+      return driver_.end(Status::failed_line_search, "energy or gradient is not finite after a step");
     std::swap(at_, next);
-    summary_.energy = at_.energy;
     ++summary_.iterations;
     step.row.factorizations = summary_.iterations == 1 ? summary_.factorizations : 0;
-    return record(step.row);
+    return driver_.record(step.row, at_.x, at_.energy, at_.gradient);
   }
 
-  bool end(Status status, std::string message) {
-    summary_.status = status;
-    summary_.message = std::move(message);
-    return false;
-  }
-
-  newton::Summary finish() {
-    if (summary_.status != Status::failed_start) x_.swap(at_.x);
-    summary_.seconds.total = timer_.seconds();
-    if (const sparse::Solver* solver = pieces_.metric().solver()) {
-      const sparse::Statistics& statistics = solver->statistics();
-      summary_.solver = std::string(sparse::backend_name(statistics.backend)) + " " +
-                        std::string(sparse::ordering_name(statistics.ordering));
-      summary_.factor_nonzeros = statistics.factor_nonzeros;
-    }
-    return std::move(summary_);
-  }
-
-  Timer timer_;  // first: the setup counts
   FirstOrderMethod& method_;
   Vector& x_;
-  const MethodOptions& options_;
-  const newton::IterationCallback& callback_;
+  newton::Options options_;
   newton::Summary summary_;
+  newton::MinimizationDriver driver_;  // before the pieces: the setup counts
   SharedPieces pieces_;
   Stagnation stagnation_;
   Iterate at_;

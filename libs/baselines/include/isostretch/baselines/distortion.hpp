@@ -10,57 +10,62 @@
 #include <vector>
 
 // What others do to minimise isotropic distortion energies, and ours, behind one call: on the same elements,
-// energies, assembly, factorization and line-search routine, so that a comparison is one of methods.
+// energies, assembly, factorization, driver and line search, so that a comparison is one of methods.
 namespace isostretch::baselines {
 
-// sum over quadrature points of weight * psi(F), over the positions of all nodes but those pinned.
+/// Minimise the sum over quadrature points of weight * psi(F), over the positions of all nodes but those
+/// pinned.
 struct DistortionProblem {
   assembly::Elements elements;
   energies::AnyEnergy energy;
-  std::vector<int> pinned;  // nodes that stay where the start has them
+  std::vector<int> pinned;  ///< nodes that stay where the start has them
 
-  // Throws Error naming the element or the pin at fault.
+  /// Throws Error naming the element or the pin at fault.
   void validate() const;
 };
 
+/// When a method stops.
 struct MethodOptions {
-  // |gradient|_inf <= gradient_tolerance ends every method alike, in units of energy per length; with a total
-  // rest area of 1 published comparisons have 1e-4. 0: only where nothing improves any more.
+  /// |gradient|_inf <= gradient_tolerance ends every method alike, in units of energy per length; with a
+  /// total rest area of 1 published comparisons have 1e-4. 0: only where nothing improves any more.
   double gradient_tolerance = 1e-4;
   int max_iterations = 1000;
-  double time_limit = 0;  // seconds; 0: none
+  double time_limit = 0;  ///< seconds; 0: none
 
-  // Throws Error naming the first option that makes no sense.
+  /// Throws Error naming the first option that makes no sense.
   void validate() const;
 };
 
+/// What kind of method it is.
 enum class Family {
-  own,              // what isostretch offers
-  newton,           // Hessians projected, or not, in other ways: equal steps in exact arithmetic, or nearly
-  majorization,     // a positive definite matrix of another origin in every iteration
-  constant_metric,  // one factorization for all iterations
+  own,              ///< what isostretch offers
+  newton,           ///< Hessians projected, or not, in other ways: equal steps in exact arithmetic, or nearly
+  majorization,     ///< a positive definite matrix of another origin in every iteration
+  constant_metric,  ///< one factorization for all iterations
 };
 
+/// Returns the enumerator's own name.
 std::string_view family_name(Family family) noexcept;
 
+/// A method that there is.
 struct MethodInfo {
-  std::string_view name;    // as on a command line
-  std::string_view title;   // as in a table
-  std::string_view source;  // paper
+  std::string_view name;    ///< as on a command line
+  std::string_view title;   ///< as in a table
+  std::string_view source;  ///< paper
   Family family = Family::own;
 };
 
-// All that there are, ours first, in the order of a table.
+/// Returns all that there are, ours first, in the order of a table.
 std::vector<MethodInfo> methods();
 
-// Why a method is none for a problem (its dimension, energy or elements); empty where it is one. Throws Error
-// for an unknown name, listing those there are.
+/// Returns why a method is none for a problem (its dimension, energy or elements); empty where it is one.
+/// Throws Error for an unknown name, listing those there are.
 std::string unsuited(std::string_view method, const DistortionProblem& problem);
 
-// Runs one from x, which ends as the last positions of the trace (methods that are not monotone may have seen
-// better ones on the way). Throws Error for an unknown name, an invalid problem or options, and where the
-// method is unsuited; numerical outcomes are the Summary's status. The callback sees every iterate; its time
-// counts.
+/// Runs a method from x, which ends as the last positions of the trace (methods that are not monotone may
+/// have seen better ones on the way). Throws Error for an unknown name, an invalid problem or options, and
+/// where the method is unsuited; numerical outcomes are the Summary's status. The callback sees every
+/// iterate; its time counts.
 newton::Summary minimize(std::string_view method, const DistortionProblem& problem, Vector& x,
                          const MethodOptions& options = {}, const newton::IterationCallback& callback = {});
 

@@ -5,16 +5,16 @@
 
 namespace isostretch::baselines {
 
-// What every solver is given: the convex problem of inversion-free manipulation, and the body at rest, from
-// which methods start that cannot do without an inversion-free position.
+/// What every solver is given: the convex problem of inversion-free manipulation, and the body at rest, from
+/// which methods start that cannot do without an inversion-free position.
 struct Instance {
   sdp_penalty::Problem problem;
-  Vector rest;  // dim entries a node; hard targets are not looked at
+  Vector rest;  ///< dim entries a node; hard targets are not looked at
 
   int dim() const { return problem.dim(); }
 
-  // Throws Error naming what is at fault, as Problem::validate() does, and the element that is inverted or
-  // flat at rest.
+  /// Throws Error naming what is at fault, as Problem::validate() does, and the element that is inverted or
+  /// flat at rest.
   void validate() const;
 };
 

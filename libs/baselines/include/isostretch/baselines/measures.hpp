@@ -7,20 +7,21 @@
 
 namespace isostretch::baselines {
 
-// What positions are judged by, whoever found them.
+/// What positions are judged by, whoever found them.
 struct Measures {
-  double energy = std::numeric_limits<double>::quiet_NaN();  // of the convex problem
+  double energy = std::numeric_limits<double>::quiet_NaN();  ///< of the convex problem
   double target_energy = std::numeric_limits<double>::quiet_NaN();
-  // sum w_i |F_i - Q_i|^2 with the nearest rotation Q_i of each element, whatever its ex-rotation
+  /// sum w_i |F_i - Q_i|^2 with the nearest rotation Q_i of each element, whatever its ex-rotation.
   double distortion = std::numeric_limits<double>::quiet_NaN();
-  double min_eigenvalue = std::numeric_limits<double>::quiet_NaN();   // of all S_i
-  double min_determinant = std::numeric_limits<double>::quiet_NaN();  // of all F_i
-  // Elements with an eigenvalue of S below the margin, or longer than largest_stretch; -1: not known
+  double min_eigenvalue = std::numeric_limits<double>::quiet_NaN();   ///< of all S_i
+  double min_determinant = std::numeric_limits<double>::quiet_NaN();  ///< of all F_i
+  /// Elements with an eigenvalue of S below the margin, or longer than largest_stretch; -1: not known.
   int infeasible = -1;
-  int inverted = -1;  // elements with det F <= 0
+  int inverted = -1;  ///< elements with det F <= 0
 };
 
-// Not finite positions: not finite measures, and every element infeasible and inverted.
+/// Returns the measures of positions x. Positions that are not finite have measures that are not finite, and
+/// every element infeasible and inverted.
 Measures measure(const sdp_penalty::Problem& problem, const Vector& x);
 
 }  // namespace isostretch::baselines

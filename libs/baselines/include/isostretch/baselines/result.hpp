@@ -12,55 +12,58 @@
 
 namespace isostretch::baselines {
 
-// How a run ended, by the solver's own account. How good its positions are is a matter of the measures.
+/// How a run ended, by the solver's own account. How good its positions are is a matter of the measures.
 enum class Status {
   not_run,
-  converged,          // its own stopping rule
-  stalled,            // it gave up before: no more progress, or its path ended
-  iteration_limit,    // Limits::iterations, or its own
-  time_limit,         // Limits::seconds
-  memory_limit,       // Limits::megabytes, or there was no more
-  claims_infeasible,  // it says that the problem has no (strictly) feasible point
-  unsuited,           // it does not take this instance: too large, or of the wrong kind
-  unavailable,        // not found when this was built, or not installed where it runs
-  failed,             // its own error
-  crashed,            // its process was ended by a signal that nobody here sent
-  unreadable,         // what it wrote is no answer
-  callback            // stopped by the callback
+  converged,          ///< its own stopping rule
+  stalled,            ///< it gave up before: no more progress, or its path ended
+  iteration_limit,    ///< Limits::iterations, or its own
+  time_limit,         ///< the deadline of Options::stop
+  memory_limit,       ///< Limits::megabytes, or there was no more
+  claims_infeasible,  ///< it says that the problem has no (strictly) feasible point
+  unsuited,           ///< it does not take this instance: too large, or of the wrong kind
+  unavailable,        ///< not found when this was built, or not installed where it runs
+  failed,             ///< its own error
+  crashed,            ///< its process was ended by a signal that nobody here sent
+  unreadable,         ///< what it wrote is no answer
+  callback            ///< stopped by the callback, or by a request of Options::stop
 };
 
+/// Returns the enumerator's own name.
 std::string_view status_name(Status status) noexcept;
 /// Returns the status in the words that all methods share.
 SolveStatus outcome(Status status) noexcept;
 
-// Wall-clock seconds, measuring positions for the trace not counted.
+/// Wall-clock seconds, measuring positions for the trace not counted.
 struct Seconds {
-  double modelling = 0;  // from the instance to what the solver takes, files included
-  double solving = 0;    // the solver, or its process
-  double reading = 0;    // from its answer to positions
+  double modelling = 0;  ///< from the instance to what the solver takes, files included
+  double solving = 0;    ///< the solver, or its process
+  double reading = 0;    ///< from its answer to positions
   double total() const { return modelling + solving + reading; }
 };
 
-// An iterate on the way. Solvers that show none have the start, if any, and the end alone.
+/// An iterate on the way. Solvers that show none have the start, if any, and the end alone.
 struct Point {
   int iteration = 0;
-  double seconds = 0;  // Seconds::total() so far
+  double seconds = 0;  ///< Seconds::total() so far
   Measures measures;
 };
 
+/// What a solver has found.
 struct Result {
   Status status = Status::not_run;
-  std::string message = "not run";  // what the solver said, or why it was stopped
-  Vector x;                         // empty where the solver left nothing
-  Measures measures;                // of x
-  double lower_bound = -std::numeric_limits<double>::infinity();  // where the solver proves one
-  int iterations = 0;                                             // in the solver's own count
-  int linear_solves = -1;                                         // factorizations, where they are known
-  double peak_megabytes = -1;  // of its process, where it has one of its own
+  std::string message = "not run";  ///< what the solver said, or why it was stopped
+  Vector x;                         ///< empty where the solver left nothing
+  Measures measures;                ///< of x
+  double lower_bound = -std::numeric_limits<double>::infinity();  ///< where the solver proves one
+  int iterations = 0;                                             ///< in the solver's own count
+  int linear_solves = -1;                                         ///< factorizations, where they are known
+  double peak_megabytes = -1;  ///< of its process, where it has one of its own
   Seconds seconds;
   std::vector<Point> trace;
 
   bool has_positions() const { return x.size() > 0; }
+  /// Returns the status in the words that all methods share.
   SolveStatus outcome() const { return baselines::outcome(status); }
 };
 

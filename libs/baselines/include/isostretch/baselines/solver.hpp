@@ -12,50 +12,53 @@
 
 namespace isostretch::baselines {
 
+/// What a run may take, besides the time, which is for the deadline of Options::stop to limit.
 struct Limits {
-  double seconds = 600;  // wall clock, of the whole run; 0: none
-  double megabytes = 0;  // of a process of the solver's own; 0: none
-  int iterations = 0;    // in the solver's own count; 0: its own limit
+  double megabytes = 0;  ///< of a process of the solver's own; 0: none
+  int iterations = 0;    ///< in the solver's own count; 0: its own limit
 };
 
+/// How to run a solver.
 struct Options {
-  double tolerance = 1e-6;  // asked for, relative, in the terms of each solver's own stopping rule
+  double tolerance = 1e-6;  ///< asked for, relative, in the terms of each solver's own stopping rule
   Limits limits;
-  /// Asked after every iterate, and some twenty times a second while a program runs; a request to stop ends
-  /// the run with Status::callback.
+  /// Asked after every iterate, and some twenty times a second while a program runs. A request to stop ends
+  /// the run with Status::callback, and the deadline, in wall-clock time, with Status::time_limit.
   StopToken stop;
-  // Where solvers that are programs exchange files; empty: the system's. Nothing is left there.
+  /// Where solvers that are programs exchange files; empty: the system's. Nothing is left there.
   std::filesystem::path temporary_folder;
 
-  // Throws Error naming the first option that makes no sense.
+  /// Throws Error naming the first option that makes no sense.
   void validate() const;
 };
 
 using isostretch::CallbackAction;
-// Called for every point of the trace.
+/// Called for every point of the trace.
 using PointCallback = std::function<CallbackAction(const Point&, const Vector& x)>;
 
-// What a solver solves.
+/// What a solver solves.
 enum class Kind {
-  convex,  // the problem itself: all of these have the same optimum
-  nearby   // another formulation of inversion-free manipulation, with another optimum or none
+  convex,  ///< the problem itself: all of these have the same optimum
+  nearby   ///< another formulation of inversion-free manipulation, with another optimum or none
 };
 
+/// A solver that there is, and whether it can run here.
 struct SolverInfo {
-  std::string_view name;    // as on a command line
-  std::string_view title;   // as in a table
-  std::string_view source;  // paper or program
+  std::string_view name;    ///< as on a command line
+  std::string_view title;   ///< as in a table
+  std::string_view source;  ///< paper or program
   Kind kind = Kind::convex;
-  std::string needs;            // what is missing for it to run; empty where it can
-  bool bounds_stretch = false;  // knows Problem::largest_stretch; the others are `unsuited` for it
+  std::string needs;            ///< what is missing for it to run; empty where it can
+  bool bounds_stretch = false;  ///< knows Problem::largest_stretch; the others are `unsuited` for it
   bool available() const { return needs.empty(); }
 };
 
-// All that there are, ours first, in the order of a table. Programs are looked for in PATH each time.
+/// Returns all that there are, ours first, in the order of a table. Programs are looked for in PATH each
+/// time.
 std::vector<SolverInfo> solvers();
 
-// Runs one on an instance. Throws Error for an unknown name (listing those there are), an invalid instance or
-// options; everything that happens to the solver itself is the Result's status.
+/// Runs a solver on an instance. Throws Error for an unknown name (listing those there are), an invalid
+/// instance or options; everything that happens to the solver itself is the Result's status.
 Result solve(std::string_view solver, const Instance& instance, const Options& options = {},
              const PointCallback& callback = {});
 

@@ -66,9 +66,9 @@ struct OptionField;
 
 /// A member that is one of an enumeration's choices, by their names.
 struct ChoiceSlot {
-  std::vector<std::string> names;
+  std::function<std::vector<std::string>()> names;
   std::function<std::string()> get;
-  std::function<void(const std::string&)> set;  ///< takes one of `names`
+  std::function<void(const std::string&)> set;  ///< takes one of names()
 };
 
 /// The member that a field describes. The last: options inside of options.
@@ -92,15 +92,18 @@ std::vector<OptionField> option_fields(Options& options);
 /// Adds a field with its slot to the others.
 void append_field(std::vector<OptionField>& fields, const Field& field, OptionSlot slot);
 
-/// Returns the slot of a member: a bool, int, double, std::string, described options, or an enumeration whose
-/// ChoiceNames choice_names(Member) returns, found where the enumeration is declared.
+/// Returns the slot of a member: a bool, int, double, std::string, described options, or an enumeration. Beside the
+/// enumeration stands choice_names(Member), which returns its ChoiceNames, or choice_slot(Member&), where choices
+/// can be added while a program runs.
 template <class Member>
 OptionSlot option_slot(Member& member) {
   if constexpr (DescribedOptions<Member>) {
     return option_fields(member);
+  } else if constexpr (requires { choice_slot(member); }) {
+    return choice_slot(member);
   } else if constexpr (std::is_enum_v<Member>) {
     return ChoiceSlot{
-        all_names(choice_names(Member{})),
+        [] { return all_names(choice_names(Member{})); },
         [&member] { return std::string(name_of(choice_names(Member{}), member)); },
         [&member](const std::string& name) { member = choice_of(choice_names(Member{}), name); }};
   } else {

@@ -6,20 +6,25 @@
 
 namespace isostretch::newton {
 
+/// What a line search has found.
 struct LineSearchResult {
   bool accepted = false;
-  bool at_roundoff =
-      false;  // accepted although, or refused because, the promised gain is below the rounding of E
+  /// Accepted although, or refused because, the promised gain is below the rounding of the energy.
+  bool at_roundoff = false;
   double step = 0;
-  double energy = 0;
-  // Gain of the first step tried over what the quadratic model promised for it; -infinity outside the domain.
+  double change = 0;  ///< of the energy, by the step
+  /// Gain of the first step tried over what the quadratic model promised for it; -infinity outside the
+  /// domain.
   double model_fit = 0;
   int evaluations = 0;
 };
 
-// Finds a step along the descent direction d (slope = gradient . d < 0) from x with that energy; `trial` is x
-// + step d when accepted. Differences of energies below `noise` mean nothing. Only energies are evaluated.
-// Of the options those of the line search count. For minimisers of one's own: minimize() calls it itself.
+/// Finds a step along the descent direction d (slope = gradient . d < 0) from x with that energy; `trial` is
+/// x + step d when accepted.
+///
+/// Changes of the energy below `noise` mean nothing. Only energies are evaluated, and changes where terms
+/// know them (Term::has_exact_change). Of the options those of the line search count. For minimisers of one's
+/// own: minimize() calls it itself.
 LineSearchResult search_line(Objective& objective, const Vector& x, const Vector& d, double energy,
                              double slope, double noise, const Options& options, Vector& trial);
 

@@ -23,8 +23,9 @@ using IterationCallback = std::function<CallbackAction(const Iteration&, const V
 ///
 /// The linear solver is kept from one solve to the next, and so are the pattern of the Hessian, the
 /// fill-reducing ordering and the symbolic factorization, until the objective's pattern changes (terms that
-/// are added, pins, ties). Iterative linear solvers are analyzed anew for every solve, so that a solve does
-/// not depend on those before it. One solver is used by one thread at a time.
+/// are added, pins, ties). Where only a stencil moves (Term::has_moving_stencil) the ordering stays and the
+/// factorization is analyzed again. Iterative linear solvers are analyzed anew for every solve, so that a
+/// solve does not depend on those before it. One solver is used by one thread at a time.
 class Solver {
  public:
   /// The objective must outlive the solver, and may change between solves, not during one. A linear solver
@@ -47,16 +48,17 @@ class Solver {
   /// Takes one iteration. Returns whether another one is to come: false once summary() has a status other
   /// than not_run. Throws Error before start(), and when the objective was given terms, pins or ties since.
   bool step();
-  /// Of the solve that start() began; the best so far. Throw Error before start().
+  /// Returns the best positions so far of the solve that start() began. Throws Error before start().
   const Vector& positions() const;
+  /// Returns the summary so far of the solve that start() began. Throws Error before start().
   const Summary& summary() const;
 
-  /// For the solves that follow. Throws Error for options that make no sense. Other `solver` options than
-  /// before make another linear solver, unless one was handed in.
+  /// Sets the options of the solves that follow. Throws Error for options that make no sense. Other `solver`
+  /// options than before make another linear solver, unless one was handed in.
   void set_options(const Options& options);
   const Options& options() const;
 
-  /// How often the symbolic analysis was made, over all solves.
+  /// Returns how often an analysis with a new ordering was made, over all solves.
   int analyses() const;
 
  private:

@@ -13,49 +13,53 @@
 
 namespace isostretch::newton {
 
+/// How a solve ended, and by which test; outcome() has the words of all methods.
 enum class Status {
   not_run,
-  converged_gradient,         // gradient_tolerance
-  converged_scaled_gradient,  // scaled_gradient_tolerance
-  converged_decrement,        // decrement_tolerance
-  converged_energy,           // relative_energy_tolerance
-  converged_roundoff,         // no step lowers the energy by more than its rounding
+  converged_gradient,         ///< gradient_tolerance
+  converged_scaled_gradient,  ///< scaled_gradient_tolerance
+  converged_decrement,        ///< decrement_tolerance
+  converged_energy,           ///< relative_energy_tolerance
+  converged_roundoff,         ///< no step lowers the energy by more than its rounding
   stopped_iterations,
   stopped_time,
   stopped_by_callback,
-  failed_start,          // energy, gradient or Hessian not finite at the start
-  failed_derivatives,    // gradient or Hessian not finite at positions with a finite energy
-  failed_factorization,  // not even the fully filtered and shifted Hessian factorises
-  failed_line_search,    // no step along a descent direction lowers the energy
+  failed_start,          ///< energy, gradient or Hessian not finite at the start
+  failed_derivatives,    ///< gradient or Hessian not finite at positions with a finite energy
+  failed_factorization,  ///< not even the fully filtered and shifted Hessian factorises
+  failed_line_search,    ///< no step along a descent direction lowers the energy
 };
 
+/// Returns the enumerator's own name.
 std::string_view status_name(Status status) noexcept;
+/// Returns whether a stopping test has held.
 bool converged(Status status) noexcept;
+/// Returns whether the solve could not go on.
 bool failed(Status status) noexcept;
 /// Returns the status in the words that all methods share.
 SolveStatus outcome(Status status) noexcept;
 
-// One row of the trace. Row 0 is the start.
+/// One row of the trace. Row 0 is the start.
 struct Iteration {
   int iteration = 0;
-  double seconds = 0;  // since the solve began
+  double seconds = 0;  ///< since the solve began
   double energy = 0;
   double gradient_inf_norm = 0;
-  double step = 0;       // of the line search
-  double decrement = 0;  // 1/2 gradient . H^-1 gradient of the step that led here
-  double model_fit = 0;  // what the first step tried gained, over what the quadratic model promised
-  // 0: exact Hessian, 1/2: negative eigenvalues to zero, 1: to their absolute value, and between.
+  double step = 0;       ///< of the line search
+  double decrement = 0;  ///< 1/2 gradient . H^-1 gradient of the step that led here
+  double model_fit = 0;  ///< what the first step tried gained, over what the quadratic model promised
+  /// 0: exact Hessian, 1/2: negative eigenvalues to zero, 1: to their absolute value, and between.
   double filter_strength = 0;
   std::size_t points_filtered = 0;
-  int factorizations = 0;  // tried for this step
-  int evaluations = 0;     // of the energy, by the line search
+  int factorizations = 0;  ///< tried for this step
+  int evaluations = 0;     ///< of the energy, by the line search
 };
 
-// Wall-clock seconds by phase.
+/// Wall-clock seconds by phase.
 struct Seconds {
   double total = 0;
-  double setup = 0;     // pattern and symbolic factorization
-  double assembly = 0;  // energy, gradient, filtered Hessian, filled matrix
+  double setup = 0;     ///< pattern and symbolic factorization
+  double assembly = 0;  ///< energy, gradient, filtered Hessian, filled matrix
   double factorization = 0;
   double solve = 0;
   double line_search = 0;
@@ -64,18 +68,19 @@ struct Seconds {
   PhaseTimes phases() const;
 };
 
+/// How a solve ended, and its course.
 struct Summary {
   Status status = Status::not_run;
   std::string message = "minimize() was not called";
   int iterations = 0;
-  int factorizations = 0;         // tried
-  int failed_factorizations = 0;  // of these, not positive definite
+  int factorizations = 0;         ///< tried
+  int failed_factorizations = 0;  ///< of these, not positive definite
   int energy_evaluations = 0;
   double initial_energy = std::numeric_limits<double>::quiet_NaN();
   double energy = std::numeric_limits<double>::quiet_NaN();
   double gradient_inf_norm = std::numeric_limits<double>::quiet_NaN();
   Seconds seconds;
-  std::string solver;  // back end, and ordering or preconditioner at work
+  std::string solver;  ///< back end, and ordering or preconditioner at work
   double factor_nonzeros = 0;
   std::vector<Iteration> trace;
 
@@ -84,8 +89,9 @@ struct Summary {
   /// Adds the iterations, factorizations, evaluations and seconds of another solve. Energies, status and
   /// trace stay.
   void add_effort(const Summary& other);
-  // One line, and all there is to say; both are functions of the struct alone.
+  /// Returns one line, made of the struct alone.
   std::string brief_report() const;
+  /// Returns all there is to say, made of the struct alone.
   std::string full_report() const;
 };
 

@@ -7,56 +7,63 @@
 
 namespace isostretch::sdp_penalty {
 
+/// How solve_relinearized() goes about it.
 struct RelinearizeOptions {
-  Options solve;
+  Options solve;  ///< of the convex problems
   int max_rounds = 100;
-  // Ends when a round lowers the energy (with each element's own nearest rotation) by less than this share.
+  /// Ends when a round lowers the energy (with each element's own nearest rotation) by less than this share.
   double tolerance = 1e-6;
-  // Penalty factor of the soft answer that a round starts over from when ex-rotations are inadmissible.
+  /// Penalty factor of the soft answer that a round starts over from when ex-rotations are inadmissible.
   double soft_penalty = 1e4;
 
-  // Throws Error naming the first option that makes no sense.
+  /// Throws Error naming the first option that makes no sense.
   void validate() const;
 };
 
+/// One convex problem of solve_relinearized().
 struct RelinearizeRound {
-  Status status = Status::not_run;  // of the convex problem of this round
-  bool soft = false;                // it was inadmissible: this is the soft answer
+  Status status = Status::not_run;  ///< of the convex problem of this round
+  bool soft = false;                ///< it was inadmissible: this is the soft answer
   int iterations = 0;
   int linear_solves = 0;
-  // With the nearest rotation of every F in the place of R: what falls from round to round, once feasible.
+  /// With the nearest rotation of every F in the place of R: what falls from round to round, once feasible.
   double energy = 0;
-  double min_eigenvalue = 0;  // with the rotations that the round was given
+  double min_eigenvalue = 0;  ///< with the rotations that the round was given
   int inverted = 0;
   double seconds = 0;
 };
 
+/// What solve_relinearized() has done.
 struct RelinearizeSummary {
-  bool settled = false;  // by the tolerance
-  bool stopped = false;  // by the callback
-  Summary last;          // of the last round's convex problem; of its soft answer where it has no feasible x
+  bool settled = false;  ///< by the tolerance
+  bool stopped = false;  ///< by the callback
+  /// Of the last round's convex problem; of its soft answer where it has no feasible x.
+  Summary last;
   std::vector<RelinearizeRound> rounds;
-  std::vector<double>
-      rotations;  // that the last round was given, [element][dim * dim]: `last` is about these
+  /// The rotations that the last round was given, [element][dim * dim]: `last` is about these.
+  std::vector<double> rotations;
 };
 
+/// Called after every round with its positions.
 using RoundCallback = std::function<CallbackAction(const RelinearizeRound&, const Vector& x)>;
 
-// The problem without given rotations, minimise over x and R, det F >= 0 (not convex): one convex problem
-// after the other, with R_i the nearest rotations of the round before (Kovalsky, Aigerman, Basri, Lipman
-// 2014). The first round has the problem's own. A feasible x stays feasible in the next round, and the energy
-// does not rise. Where a field of ex-rotations is inadmissible its soft answer (the quadratic penalty at
-// soft_penalty, inversions and all) gives those of the next round.
+/// Solves the problem without given rotations, minimise over x and R, det F >= 0 (not convex): one convex
+/// problem after the other, with R_i the nearest rotations of the round before (Kovalsky, Aigerman, Basri,
+/// Lipman 2014).
+///
+/// The first round has the problem's own. A feasible x stays feasible in the next round, and the energy does
+/// not rise. Where a field of ex-rotations is inadmissible its soft answer (the quadratic penalty at
+/// soft_penalty, inversions and all) gives those of the next round.
 RelinearizeSummary solve_relinearized(const Problem& problem, Vector& x,
                                       const RelinearizeOptions& options = {},
                                       const RoundCallback& callback = {});
 
-// The soft answer alone: minimises the energy plus soft_penalty times the squares of the eigenvalues of
-// S_i - margin I below 0. It does not know largest_stretch.
+/// Minimises the energy plus soft_penalty times the squares of the eigenvalues of S_i - margin I below 0. It
+/// does not know largest_stretch.
 Summary soft_answer(const Problem& problem, Vector& x, double soft_penalty, const Options& options = {});
 
-// Nearest rotations of F = sum x_a g_a^T, [element][dim * dim] column by column, determinant 1; the identity
-// for a collapsed element.
+/// Returns the nearest rotations of F = sum x_a g_a^T, [element][dim * dim] column by column, determinant 1;
+/// the identity for a collapsed element.
 std::vector<double> nearest_rotations(const assembly::Elements& elements, const Vector& x);
 
 }  // namespace isostretch::sdp_penalty

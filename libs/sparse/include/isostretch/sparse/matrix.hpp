@@ -7,41 +7,43 @@
 
 namespace isostretch::sparse {
 
-// A symmetric matrix by its lower triangle in compressed columns: the entries of column j are
-// row[k], value[k] for column_start[j] <= k < column_start[j + 1], rows strictly increasing from the
-// diagonal, which is always present (it may be zero).
+/// A symmetric matrix by its lower triangle in compressed columns: the entries of column j are
+/// row[k], value[k] for column_start[j] <= k < column_start[j + 1], rows strictly increasing from the
+/// diagonal, which is always present (it may be zero).
 struct SymmetricMatrix {
   int size = 0;
-  std::vector<int> column_start;  // size + 1
-  std::vector<int> row;           // nonzeros
-  std::vector<double> value;      // nonzeros
+  std::vector<int> column_start;  ///< size + 1
+  std::vector<int> row;           ///< nonzeros
+  std::vector<double> value;      ///< nonzeros
 
-  // Node of each unknown (size entries, non-decreasing, gaps allowed), or empty: every unknown its own node.
-  // The fill-reducing ordering works on the nodes, which is faster and keeps the unknowns of a node together;
-  // block-Jacobi takes its blocks from it. Correctness never depends on it.
+  /// Node of each unknown (size entries, non-decreasing, gaps allowed), or empty: every unknown its own node.
+  /// The fill-reducing ordering works on the nodes, which is faster and keeps the unknowns of a node
+  /// together; block-Jacobi takes its blocks from it. Correctness never depends on it.
   std::vector<int> group;
 
   int nonzeros() const { return static_cast<int>(row.size()); }
 
-  // y = A x, raw arrays of `size` entries that do not overlap.
+  /// Computes y = A x, raw arrays of `size` entries that do not overlap.
   void multiply(const double* x, double* y) const;
+  /// Returns A x.
   Eigen::VectorXd multiply(const Eigen::Ref<const Eigen::VectorXd>& x) const {
     Eigen::VectorXd y(size);
     multiply(x.data(), y.data());
     return y;
   }
 
-  // Throws Error naming the first column (and entry) that breaks the description above. Values are not looked
-  // at.
+  /// Throws Error naming the first column (and entry) that breaks the description of the type. Values are not
+  /// looked at.
   void validate() const;
 
-  bool is_finite() const;  // all values
-  // Throws Error naming row and column of the first value that is NaN or infinite.
+  /// Returns whether all values are finite.
+  bool is_finite() const;
+  /// Throws Error naming row and column of the first value that is NaN or infinite.
   void require_finite() const;
 };
 
-// The lower triangle of a compressed column matrix; entries above the diagonal are ignored. Inline on
-// purpose: the matrix is read with the caller's Eigen.
+/// Returns the lower triangle of a compressed column matrix; entries above the diagonal are ignored. Inline
+/// on purpose: the matrix is read with the caller's Eigen.
 inline SymmetricMatrix lower_triangle(const Eigen::SparseMatrix<double>& matrix) {
   SymmetricMatrix A;
   A.size = static_cast<int>(matrix.cols());

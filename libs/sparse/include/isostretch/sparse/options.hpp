@@ -12,14 +12,10 @@ namespace isostretch::sparse {
 // (automatic_max_flops) or would not fit into memory, pcg with algebraic multigrid. CHOLMOD's supernodal
 // module is under the GPL: a program that links it falls under it too; configure with
 // ISOSTRETCH_WITH_SUITESPARSE=OFF to leave CHOLMOD out.
+// Values beyond the last are those of register_solver() (solver.hpp).
 enum class Backend { automatic, cholmod_supernodal, cholmod_simplicial, eigen_ldlt, pcg };
-constexpr ChoiceNames<Backend, 5> choice_names(Backend) {
-  return {{{"automatic", Backend::automatic},
-           {"cholmod_supernodal", Backend::cholmod_supernodal},
-           {"cholmod_simplicial", Backend::cholmod_simplicial},
-           {"eigen_ldlt", Backend::eigen_ldlt},
-           {"pcg", Backend::pcg}}};
-}
+/// Returns the back end of options as a choice by name: those built in, compiled in or not, and those registered.
+ChoiceSlot choice_slot(Backend& backend);
 
 // automatic: see README.md for the measurements behind the choice. metis needs CHOLMOD.
 enum class Ordering { automatic, amd, metis, natural };
@@ -89,7 +85,8 @@ struct Options {
   }
 };
 
-// Names as on a command line: the enumerator's own. The inverse throws Error listing the names there are.
+// Names as on a command line: the enumerator's own, and that given to register_solver(). The inverse throws
+// Error listing the names there are.
 std::string_view backend_name(Backend backend) noexcept;
 std::string_view ordering_name(Ordering ordering) noexcept;
 std::string_view preconditioner_name(Preconditioner preconditioner) noexcept;
@@ -97,8 +94,10 @@ Backend backend_from_name(std::string_view name);
 Ordering ordering_from_name(std::string_view name);
 Preconditioner preconditioner_from_name(std::string_view name);
 
-// Compiled in, without `automatic`; the first is the preferred one.
-const std::vector<Backend>& available_backends();
+/// Returns the back ends compiled in, without `automatic` and the preferred one first, and then those
+/// registered.
+std::vector<Backend> available_backends();
+/// Returns whether a back end was compiled in or registered; `automatic` always was.
 bool is_available(Backend backend);
 // All of them: none depends on what is compiled in.
 const std::vector<Preconditioner>& all_preconditioners();

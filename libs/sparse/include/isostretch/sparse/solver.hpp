@@ -6,105 +6,123 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace isostretch::sparse {
 
+/// How an analysis or a factorization ended.
 enum class FactorStatus { ok, not_positive_definite, out_of_memory, failed };
 
+/// How an analysis or a factorization ended, and why.
 struct FactorResult {
   FactorStatus status = FactorStatus::ok;
-  int column = -1;  // where the first non-positive pivot was met, in the caller's numbering; -1: not known
-  std::string message;  // empty when ok
+  /// Where the first non-positive pivot was met, in the caller's numbering; -1: not known.
+  int column = -1;
+  std::string message;  ///< empty when ok
   explicit operator bool() const { return status == FactorStatus::ok; }
 };
 
-// not_converged: x is the best there is, an approximation that a Newton method can use. So it is with
-// not_positive_definite: x is the iterate before the direction of negative curvature (truncated conjugate
-// gradients, Steihaug 1983), zero if that was the first direction; otherwise b . x > 0.
+/// How a solution ended.
+///
+/// not_converged: x is the best there is, an approximation that a Newton method can use. So it is with
+/// not_positive_definite: x is the iterate before the direction of negative curvature (truncated conjugate
+/// gradients, Steihaug 1983), zero if that was the first direction; otherwise b . x > 0.
 enum class SolveStatus { ok, not_converged, not_positive_definite, failed };
 
+/// How a solution ended, and how good it is.
 struct SolveResult {
   SolveStatus status = SolveStatus::ok;
-  int iterations = 0;            // pcg: multiplications by A; summed over the right-hand sides
-  double relative_residual = 0;  // pcg: largest |b - A x| / |b|; direct solvers do not measure it and say 0
-  std::string message;           // empty when ok
+  int iterations = 0;  ///< pcg: multiplications by A; summed over the right-hand sides
+  /// pcg: largest |b - A x| / |b|; direct solvers do not measure it and say 0.
+  double relative_residual = 0;
+  std::string message;  ///< empty when ok
   explicit operator bool() const { return status == SolveStatus::ok; }
 };
 
+/// What a solver has done so far, and how.
 struct Statistics {
-  Backend backend = Backend::automatic;                    // the one at work, never automatic after analyze()
-  Preconditioner preconditioner = Preconditioner::jacobi;  // pcg
-  Ordering ordering = Ordering::automatic;                 // the one used, never automatic after analyze()
-  double factor_nonzeros = 0;   // nnz(L) with the diagonal, without supernodal padding
-  double factor_flops = 0;      // of one factorization; 0 where the back end does not say
-  double ordering_seconds = 0;  // part of analyze_seconds
-  double analyze_seconds = 0;   // seconds and calls add up over the life of the solver
+  Backend backend = Backend::automatic;  ///< the one at work, never automatic after analyze()
+  Preconditioner preconditioner = Preconditioner::jacobi;  ///< pcg
+  Ordering ordering = Ordering::automatic;                 ///< the one used, never automatic after analyze()
+  double factor_nonzeros = 0;   ///< nnz(L) with the diagonal, without supernodal padding
+  double factor_flops = 0;      ///< of one factorization; 0 where the back end does not say
+  double ordering_seconds = 0;  ///< part of analyze_seconds
+  double analyze_seconds = 0;   ///< seconds and calls add up over the life of the solver
   double factorize_seconds = 0;
   double solve_seconds = 0;
-  int analyze_calls = 0;
+  int analyze_calls = 0;  ///< with those of update_pattern()
+  int orderings = 0;      ///< fill-reducing orderings computed
   int factorize_calls = 0;
   int solve_calls = 0;
-  int factorizations = 0;   // factors and preconditioners made: fewer than calls where stale ones serve
-  int multiplications = 0;  // pcg: by A, over all solves
+  int factorizations = 0;   ///< factors and preconditioners made: fewer than calls where stale ones serve
+  int multiplications = 0;  ///< pcg: by A, over all solves
 };
 
-// Solves A x = b for symmetric positive definite A:
-//
-//   auto solver = make_solver({});
-//   solver->analyze(A);                       // once per sparsity pattern
-//   if (solver->factorize(A)) solver->solve(b, x);
-//
-// A that is not positive definite is a status, found at the first non-positive pivot (eigen_ldlt: after a
-// whole factorization; pcg: possibly only while solving), and leaves the solver ready for the next
-// factorize(). Misuse throws Error: a malformed matrix, another pattern than analyzed, NaN (row and column
-// are named), solve() without a factorization. One solver is used by one thread at a time; BLAS threading is
-// the environment's business (OPENBLAS_NUM_THREADS), so do not call it from inside a parallel region.
+/// Solves A x = b for symmetric positive definite A:
+///
+///   auto solver = make_solver({});
+///   solver->analyze(A);                       // once per sparsity pattern
+///   if (solver->factorize(A)) solver->solve(b, x);
+///
+/// A that is not positive definite is a status, found at the first non-positive pivot (eigen_ldlt: after a
+/// whole factorization; pcg: possibly only while solving), and leaves the solver ready for the next
+/// factorize(). Misuse throws Error: a malformed matrix, another pattern than analyzed, NaN (row and column
+/// are named), solve() without a factorization. One solver is used by one thread at a time; BLAS threading is
+/// the environment's business (OPENBLAS_NUM_THREADS), so do not call it from inside a parallel region.
 class Solver {
  public:
   virtual ~Solver();
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 
-  // Ordering and symbolic factorization. Values are not looked at. out_of_memory or failed are repeated by
-  // factorize() until the next analyze().
+  /// Computes ordering and symbolic factorization. Values are not looked at. out_of_memory or failed are
+  /// repeated by factorize() until the next analyze().
   FactorResult analyze(const SymmetricMatrix& A);
 
-  // Numerical factorization of a matrix with the pattern analyzed. Its values are not referred to later.
+  /// Takes a pattern of the same size that differs a little from the one analyzed, as analyze() does but
+  /// without a new ordering: direct solvers keep theirs and renew the symbolic factorization, until the
+  /// factor has grown so much that a new ordering pays; others may analyze anew. The statuses are those of
+  /// analyze(). Throws Error for a malformed matrix, for another size or other groups, and before analyze().
+  FactorResult update_pattern(const SymmetricMatrix& A);
+
+  /// Factorises a matrix with the pattern analyzed. Its values are not referred to later.
   FactorResult factorize(const SymmetricMatrix& A);
 
-  // x is resized here, in the caller's code: memory of an Eigen object must not change hands between code
-  // compiled with different instruction sets.
+  /// Solves for one right-hand side. x is resized here, in the caller's code: memory of an Eigen object must
+  /// not change hands between code compiled with different instruction sets.
   SolveResult solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x) {
     require_rows(b.rows());
     x.resize(b.rows());
     return solve_columns(b.data(), x.data(), 1);
   }
 
-  // Several right-hand sides, one a column.
+  /// Solves for several right-hand sides, one a column.
   SolveResult solve(const Eigen::MatrixXd& B, Eigen::MatrixXd& X) {
     require_rows(B.rows());
     X.resize(B.rows(), B.cols());
     return solve_columns(B.data(), X.data(), static_cast<int>(B.cols()));
   }
 
-  // The same on raw column-major arrays of size x columns that do not overlap.
+  /// Solves on raw column-major arrays of size x columns that do not overlap.
   SolveResult solve_columns(const double* b, double* x, int columns);
 
-  // |b - A x| / |b| that an iterative back end is to reach in solves from here on, in place of
-  // Options::pcg_tolerance: inexact Newton methods ask for few digits at first. Direct solvers do what they
-  // always do. Throws Error unless 0 < tolerance < 1.
+  /// Sets |b - A x| / |b| that an iterative back end is to reach in solves from here on, in place of
+  /// Options::pcg_tolerance: inexact Newton methods ask for few digits at first. Direct solvers do what they
+  /// always do. Throws Error unless 0 < tolerance < 1.
   void set_tolerance(double tolerance);
 
-  // Where nodes are: node group[i] of the matrix at positions[dim * group[i]], dim 2 or 3; pinned nodes
-  // count, so that `nodes` is larger than any group. axis[i] is the axis that unknown i stands for; it may be
-  // left out, and matters where pins leave a node fewer unknowns than axes. Optional, and used by the amg
-  // preconditioner: it learns rotations from it, without which elastic bodies converge slowly. Positions are
-  // copied, and used by the factorize() calls that follow; axes count from the next analyze() on.
+  /// Says where nodes are: node group[i] of the matrix at positions[dim * group[i]], dim 2 or 3; pinned nodes
+  /// count, so that `nodes` is larger than any group. axis[i] is the axis that unknown i stands for; it may
+  /// be left out, and matters where pins leave a node fewer unknowns than axes. Optional, and used by the amg
+  /// preconditioner: it learns rotations from it, without which elastic bodies converge slowly. Positions are
+  /// copied, and used by the factorize() calls that follow; axes count from the next analyze() on.
   void set_coordinates(const double* positions, int dim, int nodes, const std::vector<int>& axis = {});
 
+  /// Returns what the solver has done so far.
   const Statistics& statistics() const noexcept { return statistics_; }
 
  protected:
@@ -112,6 +130,8 @@ class Solver {
 
   // What a back end supplies. Matrices are validated, finite and never empty; x and b have the right sizes.
   virtual FactorResult do_analyze(const SymmetricMatrix& A) = 0;
+  /// Analyzes a pattern that is near to the one before. Analyzes anew unless overridden.
+  virtual FactorResult do_update_pattern(const SymmetricMatrix& A) { return do_analyze(A); }
   virtual FactorResult do_factorize(const SymmetricMatrix& A) = 0;
   virtual SolveResult do_solve(const double* b, double* x, int columns) = 0;
   // Arguments are valid.
@@ -123,7 +143,10 @@ class Solver {
  private:
   void require_rows(Eigen::Index rows) const;
   void require_same_pattern(const SymmetricMatrix& A) const;
+  template <class Analysis>
+  FactorResult take_pattern(const SymmetricMatrix& A, const Analysis& analysis);
   void log_analysis() const;
+  friend std::unique_ptr<Solver> make_solver(const Options& options);
 
   enum class State { empty, analyzed, factorized };
   State state_ = State::empty;
@@ -131,9 +154,20 @@ class Solver {
   int size_ = 0;
   std::vector<int> column_start_;
   std::vector<int> row_;
+  std::vector<int> group_;
 };
 
-// Throws Error when the back end or the ordering is not compiled in, or an option is out of range.
+/// Makes a solver, from the options as make_solver() was given them.
+using SolverFactory = std::function<std::unique_ptr<Solver>(const Options&)>;
+
+/// Gives a linear solver a name, which is then accepted, listed and written wherever those of the built-in
+/// back ends are, and returns the back end that stands for it in `Options`. Call it before the name is asked
+/// for, as at the start of a program; it stays until the program ends. Throws Error for an empty name, a name
+/// that is taken, and a factory that is empty.
+Backend register_solver(std::string_view name, SolverFactory factory);
+
+/// Returns a solver as the options describe it. Throws Error when the back end or the ordering is not
+/// compiled in, when an option is out of range, and when the factory of a registered solver makes none.
 std::unique_ptr<Solver> make_solver(const Options& options = {});
 
 }  // namespace isostretch::sparse
