@@ -49,10 +49,10 @@ class BlockAssembler {
   }
 
  private:
-  // Twice the number of a block among all blocks of elements, plus one where it is wanted transposed.
+  /// Twice the number of a block among all blocks of elements, plus one where it is wanted transposed.
   using Contribution = std::uint32_t;
 
-  // The nodes whose block a contribution is, by what it says beside the element.
+  /// The nodes whose block a contribution is, by what it says beside the element.
   template <int Nodes>
   struct Pairs {
     constexpr Pairs() {
@@ -70,13 +70,13 @@ class BlockAssembler {
     for (std::size_t e = 0; e < count; ++e)
       if (positions[e] >= 0) values[positions[e]] += entries[e];
   }
-  // Calls body(begin, end) for ranges that make up the blocks of the pattern, one a thread.
+  /// Calls body(begin, end) for ranges that make up the blocks of the pattern, one a thread.
   void for_ranges(const std::function<void(std::size_t, std::size_t)>& body) const;
   template <int Dim>
   void add_stored_blocks(const double* blocks, double* values) const;
 
   const HessianPattern* pattern_ = nullptr;
-  std::vector<std::uint32_t> start_;  // first contribution to every block of the pattern
+  std::vector<std::uint32_t> start_;  ///< first contribution to every block of the pattern
   std::vector<Contribution> contributions_;
 };
 

@@ -14,19 +14,20 @@
 namespace isostretch::assembly {
 
 struct Evaluation {
-  double value = 0;                 // +infinity outside the domain of the energy
-  int worst_element = -1;           // the first element whose psi is not finite, -1: none
-  std::size_t points_filtered = 0;  // quadrature points at which some eigenvalue was changed
+  double value = 0;                 ///< +infinity outside the domain of the energy
+  int worst_element = -1;           ///< the first element whose psi is not finite, -1: none
+  std::size_t points_filtered = 0;  ///< quadrature points at which some eigenvalue was changed
   std::size_t points = 0;
 };
 
-// The chunk loop: energy, gradient and filtered Hessian of sum weight * psi(F) over elements. Positions,
-// directions and gradients are vectors of node_count * dim entries, node by node. Parallel over chunks with
-// OpenMP; results are the same bit for bit for any number of threads, and allocate nothing after the first
-// call. What an energy throws, reaches the caller: of several exceptions that of the first chunk of elements.
+/// The chunk loop: energy, gradient and filtered Hessian of sum weight * psi(F) over elements. Positions,
+/// directions and gradients are vectors of node_count * dim entries, node by node. Parallel over chunks with
+/// OpenMP; results are the same bit for bit for any number of threads, and allocate nothing after the first
+/// call. What an energy throws, reaches the caller: of several exceptions that of the first chunk of
+/// elements.
 class EnergyAssembler {
  public:
-  // Throws Error when the elements are malformed or the energy does not exist in their dimension.
+  /// Throws Error when the elements are malformed or the energy does not exist in their dimension.
   EnergyAssembler(const Elements& elements, energies::AnyEnergy energy);
 
   int dim() const { return dim_; }
@@ -40,21 +41,21 @@ class EnergyAssembler {
   /// their dimension.
   void set_energy(energies::AnyEnergy energy);
 
-  // Factor of all weights from here on, 1 at first. Throws Error unless it is positive and finite.
+  /// Factor of all weights from here on, 1 at first. Throws Error unless it is positive and finite.
   void set_scale(double scale);
   double scale() const { return scale_; }
 
   void add_to(PatternBuilder& builder) const { restriction_.add_to(builder); }
-  // Prepares add_hessian() for a pattern that holds what add_to() added.
+  /// Prepares add_hessian() for a pattern that holds what add_to() added.
   void bind(const HessianPattern& pattern);
 
   Evaluation value(const double* x);
 
-  // Adds to `gradient`, when given, and prepares the Hessian for add_hessian(), when asked. Where the value
-  // is infinite nothing is added.
+  /// Adds to `gradient`, when given, and prepares the Hessian for add_hessian(), when asked. Where the value
+  /// is infinite nothing is added.
   Evaluation differentiate(const double* x, const projection::FilterOptions& filter, double* gradient,
                            bool hessian);
-  // Adds the Hessian of the last differentiate() to the values of a matrix with the bound pattern.
+  /// Adds the Hessian of the last differentiate() to the values of a matrix with the bound pattern.
   void add_hessian(double* values) const;
 
   /// Returns the first element to which the last differentiate() gave a gradient, or a Hessian where one was
@@ -62,19 +63,19 @@ class EnergyAssembler {
   /// them.
   int element_not_finite() const;
 
-  // For approximations in the place of the Hessian: what add_hessian() adds, to be read and written after a
-  // differentiate() with the Hessian, or to be filled after one without. Of the element element_order()[i]
-  // the blocks a <= b of its nodes, dim * dim entries each, row by row, from entry i *
-  // hessian_entries_per_element() on.
+  /// For approximations in the place of the Hessian: what add_hessian() adds, to be read and written after a
+  /// differentiate() with the Hessian, or to be filled after one without. Of the element element_order()[i]
+  /// the blocks a <= b of its nodes, dim * dim entries each, row by row, from entry i *
+  /// hessian_entries_per_element() on.
   double* element_hessians();
   std::size_t hessian_entries_per_element() const;
   const std::vector<int>& element_order() const { return original_; }
 
-  // Largest t <= limit such that det(F + s dF) stays above the energy's bound for all 0 <= s < t at every
-  // quadrature point (Smith & Schaefer 2015); `limit` for energies without a barrier.
+  /// Largest t <= limit such that det(F + s dF) stays above the energy's bound for all 0 <= s < t at every
+  /// quadrature point (Smith & Schaefer 2015); `limit` for energies without a barrier.
   double max_step(const double* x, const double* dx, double limit) const;
 
-  // Singular values at the quadrature points, [element][point][dim].
+  /// Singular values at the quadrature points, [element][point][dim].
   std::vector<double> stretches(const double* x) const;
 
  private:
@@ -95,17 +96,17 @@ class EnergyAssembler {
   int chunk_count_;
   double scale_ = 1;
 
-  // In chunks: [chunk][node][lane], [chunk][point][node * dim][lane], [chunk][point][lane].
+  /// In chunks: [chunk][node][lane], [chunk][point][node * dim][lane], [chunk][point][lane].
   std::vector<int> chunk_nodes_;
   std::vector<double> chunk_gradients_;
   std::vector<double> chunk_weights_;
 
-  std::vector<int> original_;             // element of the caller, in the order of the chunks
-  Restriction restriction_;               // elements in that order too
-  std::optional<BlockAssembler> blocks_;  // of the bound pattern
+  std::vector<int> original_;             ///< element of the caller, in the order of the chunks
+  Restriction restriction_;               ///< elements in that order too
+  std::optional<BlockAssembler> blocks_;  ///< of the bound pattern
   std::vector<double> chunk_values_;
-  std::vector<double> gradient_slots_;  // [element][node][dim]
-  std::vector<double> hessian_slots_;   // [element][block a <= b][dim * dim]
+  std::vector<double> gradient_slots_;  ///< [element][node][dim]
+  std::vector<double> hessian_slots_;   ///< [element][block a <= b][dim * dim]
 };
 
 }  // namespace isostretch::assembly

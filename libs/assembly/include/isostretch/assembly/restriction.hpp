@@ -43,7 +43,7 @@ class Restriction {
 
   int nodes_per_element_ = 1;
   std::vector<int> nodes_;
-  std::vector<std::size_t> start_{0};  // first entry of every node in corner_
+  std::vector<std::size_t> start_{0};  ///< first entry of every node in corner_
   std::vector<std::size_t> corner_;
 };
 

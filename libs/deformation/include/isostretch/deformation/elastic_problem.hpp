@@ -11,18 +11,18 @@
 
 namespace isostretch::deformation {
 
-// Elements of one energy.
+/// Elements of one energy.
 struct Region {
   std::string name;
-  std::vector<int> elements;  // ascending
+  std::vector<int> elements;  ///< ascending
   energies::AnyEnergy energy;
 };
 
-// The regions of a scene, each with the elements that no earlier one has, and last what is left over, if
-// anything is. Throws Error naming the path of a region that has no element or one that does not exist.
+/// The regions of a scene, each with the elements that no earlier one has, and last what is left over, if
+/// anything is. Throws Error naming the path of a region that has no element or one that does not exist.
 std::vector<Region> regions_of(const SequenceOptions& options, const SolidModel& body);
 
-// What is minimised: a term for each region, and one for the soft handles.
+/// What is minimised: a term for each region, and one for the soft handles.
 class ElasticProblem {
  public:
   ElasticProblem(const SequenceOptions& options, const SolidModel& body, const HandleSet& handle_set);
@@ -30,15 +30,15 @@ class ElasticProblem {
   newton::Objective& objective() { return objective_; }
   const std::vector<Region>& regions() const { return regions_; }
 
-  // Soft handles pull to where they are at that time.
+  /// Soft handles pull to where they are at that time.
   void set_time(double time);
-  // Whether the energy is finite.
+  /// Whether the energy is finite.
   bool admissible(const Vector& positions);
-  // Energy of the soft handles alone.
+  /// Energy of the soft handles alone.
   double soft_energy(const Vector& positions);
 
-  // For every element: norm of the stress (first Piola-Kirchhoff), averaged over its quadrature points, and
-  // the number of its region.
+  /// For every element: norm of the stress (first Piola-Kirchhoff), averaged over its quadrature points, and
+  /// the number of its region.
   std::vector<double> stress_norms(const StrainField& strain) const;
   std::vector<double> region_numbers() const;
 
@@ -49,7 +49,7 @@ class ElasticProblem {
   const SolidModel& body_;
   const HandleSet& handle_set_;
   std::vector<Region> regions_;
-  double soft_unit_ = 0;  // stiffness times volume over squared diagonal
+  double soft_unit_ = 0;  ///< stiffness times volume over squared diagonal
   newton::Objective objective_;
   SoftHandles* soft_ = nullptr;
 };

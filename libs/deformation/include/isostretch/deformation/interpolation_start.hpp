@@ -10,19 +10,19 @@
 namespace isostretch::deformation {
 
 struct FrameStart {
-  std::string name;  // "previous", "extrapolated_2", "towards_second_1", ...
+  std::string name;  ///< "previous", "extrapolated_2", "towards_second_1", ...
   Vector positions;
 };
 
-// Where frames start from: the frame before, or a polynomial through the last ones, up to four, which may
-// besides end in the second pose. The one of least energy is taken; each costs an evaluation of it.
+/// Where frames start from: the frame before, or a polynomial through the last ones, up to four, which may
+/// besides end in the second pose. The one of least energy is taken; each costs an evaluation of it.
 class ExtrapolatedStart {
  public:
   ExtrapolatedStart(Continuation kind, const RigidPlacement& placement);
 
-  // A frame that was solved and settled.
+  /// A frame that was solved and settled.
   void add(double t, const Vector& settled);
-  // The energy must be set to t.
+  /// The energy must be set to t.
   FrameStart start(double t, ShapeEnergy& energy) const;
 
  private:
@@ -30,12 +30,12 @@ class ExtrapolatedStart {
     double t;
     Vector positions;
   };
-  // `end` is at the time 1, or null.
+  /// `end` is at the time 1, or null.
   Vector continued(double t, std::size_t frames, const Vector* end) const;
 
   Continuation kind_;
   const RigidPlacement& placement_;
-  std::vector<Sample> last_;  // frames, newest first
+  std::vector<Sample> last_;  ///< frames, newest first
 };
 
 }  // namespace isostretch::deformation

@@ -12,20 +12,20 @@ struct Iterate {
   Vector positions;
 };
 
-// The iterates that pictures of a solve need: the first few, further ones more and more sparsely, and the
-// last.
+/// The iterates that pictures of a solve need: the first few, further ones more and more sparsely, and the
+/// last.
 class IteratePath {
  public:
   void add(const sdp_penalty::Iteration& row, const Vector& positions);
 
   const std::vector<Iterate>& iterates() const { return iterates_; }
-  // So many of them at most, the first and the last included.
+  /// So many of them at most, the first and the last included.
   std::vector<const Iterate*> selection(std::size_t count) const;
 
  private:
   std::vector<Iterate> iterates_;
-  int next_ = 0;             // iteration to keep for good
-  bool last_stays_ = false;  // it is more than the last so far
+  int next_ = 0;             ///< iteration to keep for good
+  bool last_stays_ = false;  ///< it is more than the last so far
 };
 
 }  // namespace isostretch::deformation

@@ -7,13 +7,13 @@
 
 namespace isostretch::deformation {
 
-// Two poses of one mesh. Each is a rest shape of its own.
+/// Two poses of one mesh. Each is a rest shape of its own.
 struct KeyShapes {
   SolidModel first, second;
 };
 
-// Throws Error naming the file and the element: for elements that cannot be used, and for the first one that
-// is not the same in both; for flat poses that lie in different planes.
+/// Throws Error naming the file and the element: for elements that cannot be used, and for the first one that
+/// is not the same in both; for flat poses that lie in different planes.
 KeyShapes read_key_shapes(const std::filesystem::path& first, const std::filesystem::path& second,
                           const MeshRepair& repair);
 

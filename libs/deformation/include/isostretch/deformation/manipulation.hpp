@@ -63,7 +63,7 @@ class Manipulation {
   Monitor monitor_;
   Vector rest_;
   std::vector<int> loose_nodes_;
-  std::vector<int> loose_holds_;  // one a component, and those of no element
+  std::vector<int> loose_holds_;  ///< one a component, and those of no element
   sdp_penalty::Problem problem_;
   sdp_penalty::Solver solver_;
 };

@@ -11,14 +11,14 @@
 
 namespace isostretch::deformation {
 
-// What became of one frame.
+/// What became of one frame.
 struct FrameResult {
-  newton::Summary summary;  // of all parts of the step together: sums, and the status of the last
-  int parts = 0;            // solves; more than one where the handles had to be moved in parts
+  newton::Summary summary;  ///< of all parts of the step together: sums, and the status of the last
+  int parts = 0;            ///< solves; more than one where the handles had to be moved in parts
   double seconds = 0;
-  bool reached = false;  // the handles are where they belong at the frame's time
-  double time = 0;       // at which `positions` are
-  std::string why;       // not reached: the reason
+  bool reached = false;  ///< the handles are where they belong at the frame's time
+  double time = 0;       ///< at which `positions` are
+  std::string why;       ///< not reached: the reason
 };
 
 /// Moves a body along, frame by frame, with parts that the caller keeps: to go on from a frame that was made
@@ -28,10 +28,10 @@ class Stepper {
   Stepper(const SequenceOptions& options, const SolidModel& body, const HandleSet& handle_set,
           ElasticProblem& problem, Warn warn, const Monitor& monitor = {});
 
-  // From `positions`, which belong to the frame before, to this frame. Where the guess is outside the domain
-  // of the energy, the handles go half the way first, and so on; where even 1/4096 of the way is, the
-  // frame is not reached and the reason names the element. A request to
-  // stop and the limit of time end it after an iteration.
+  /// From `positions`, which belong to the frame before, to this frame. Where the guess is outside the domain
+  /// of the energy, the handles go half the way first, and so on; where even 1/4096 of the way is, the
+  /// frame is not reached and the reason names the element. A request to
+  /// stop and the limit of time end it after an iteration.
   FrameResult advance(int frame, Vector& positions);
 
  private:

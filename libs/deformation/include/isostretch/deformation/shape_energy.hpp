@@ -14,17 +14,17 @@ namespace isostretch::deformation {
 /// the two given.
 void require_least_at_rest(const energies::AnyEnergy& energy, int dim);
 
-// (1 - t) psi_1 + t psi_2, where each pose is the rest shape of one.
+/// (1 - t) psi_1 + t psi_2, where each pose is the rest shape of one.
 class ShapeEnergy {
  public:
-  // Nodes in `held` belong to no element and stay.
+  /// Nodes in `held` belong to no element and stay.
   ShapeEnergy(const KeyShapes& poses, const energies::AnyEnergy& energy, const std::vector<int>& held);
 
   newton::Objective& objective() { return objective_; }
   void set_time(double t);
-  // At the time that is set; +infinity outside the domain.
+  /// At the time that is set; +infinity outside the domain.
   double value(const Vector& positions) { return objective_.value(positions).value; }
-  // psi_1 and psi_2, each above its value at rest.
+  /// psi_1 and psi_2, each above its value at rest.
   std::array<double, 2> parts(const Vector& positions);
 
  private:

@@ -7,12 +7,12 @@
 
 namespace isostretch::deformation {
 
-// Soft pins whose targets move between solves.
+/// Soft pins whose targets move between solves.
 class SoftHandles final : public newton::Term {
  public:
   SoftHandles(int dim, int node_count, std::vector<newton::SoftPin> pins);
 
-  // The same pins in the same order, with other targets.
+  /// The same pins in the same order, with other targets.
   void move(std::vector<newton::SoftPin> pins);
 
   void add_to(assembly::PatternBuilder& builder) const override { term_->add_to(builder); }

@@ -8,20 +8,20 @@
 
 namespace isostretch::deformation {
 
-// How a body is strained at some positions: what pictures and reports show, for any energy.
+/// How a body is strained at some positions: what pictures and reports show, for any energy.
 struct StrainField {
-  std::vector<double> stretches;      // [element][point][dim]: singular values of F, the last signed
-  std::vector<double> min_det;        // of every element over its quadrature points: det F
-  std::vector<double> length_change;  // the same: largest factor by which a length changes, at least 1
-  std::vector<int> inverted;          // elements with det F <= 0 somewhere, or NaN
+  std::vector<double> stretches;      ///< [element][point][dim]: singular values of F, the last signed
+  std::vector<double> min_det;        ///< of every element over its quadrature points: det F
+  std::vector<double> length_change;  ///< the same: largest factor by which a length changes, at least 1
+  std::vector<int> inverted;          ///< elements with det F <= 0 somewhere, or NaN
 
   double smallest_det() const;
-  int worst_element() const;  // where
+  int worst_element() const;  ///< where
 };
 
 class Strain {
  public:
-  // The elements must live longer.
+  /// The elements must live longer.
   explicit Strain(const assembly::Elements& elements);
   StrainField at(const Vector& positions) const;
 

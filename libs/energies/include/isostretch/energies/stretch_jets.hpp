@@ -38,7 +38,7 @@ ISOSTRETCH_INLINE T mixed_derivative(const invariants::Jet2<T>& jet, int j, int 
   return sum == 1 ? jet.d12 : sum == 3 ? jet.d23 : jet.d13;
 }
 
-// The flip of a pair whose stretches are near each other.
+/// Returns the flip of a pair whose stretches are near each other.
 template <int Dim, class T, class Energy>
 ISOSTRETCH_INLINE T flip_nearby(const Energy& energy, const Stretch<Dim, T>& s, int j, int k) {
   constexpr double gauss[] = {0.21132486540518711775, 0.78867513459481288225};  // on [0, 1]
@@ -57,6 +57,7 @@ ISOSTRETCH_INLINE T flip_nearby(const Energy& energy, const Stretch<Dim, T>& s, 
 
 }  // namespace detail
 
+/// Computes psi and its derivatives from psi(sigma) alone, by second-order jets over the stretches.
 template <int Dim, class T, class Energy>
 ISOSTRETCH_INLINE void derivatives_by_stretch_jets(const Energy& energy, const Stretch<Dim, T>& s,
                                                    StretchDerivatives<Dim, T>& d) {

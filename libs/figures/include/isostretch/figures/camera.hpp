@@ -5,20 +5,20 @@
 
 namespace isostretch::figures {
 
-// A point on the screen, x to the right and y down, and 1 / its distance, which is linear on the screen as
-// depth is not.
+/// A point on the screen, x to the right and y down, and 1 / its distance, which is linear on the screen as
+/// depth is not.
 struct ScreenPoint {
   double x = 0, y = 0, nearness = 0;
 };
 
-// Looks from a fixed distance at the middle of a model that lies in the unit ball around the origin, so that
-// nothing is ever behind it.
+/// Looks from a fixed distance at the middle of a model that lies in the unit ball around the origin, so that
+/// nothing is ever behind it.
 class Camera {
  public:
-  // Turned around the model to the right by `azimuth` and up by `elevation`, in degrees.
+  /// Turned around the model to the right by `azimuth` and up by `elevation`, in degrees.
   Camera(const Pose& pose, double azimuth, double elevation);
 
-  // In units of its own.
+  /// In units of its own.
   ScreenPoint operator()(const Eigen::RowVector3d& point) const;
 
   const Eigen::Vector3d& right() const { return right_; }
@@ -29,7 +29,7 @@ class Camera {
   Eigen::Vector3d right_, up_, back_;
 };
 
-// The box around a model on the screen.
+/// The box around a model on the screen.
 Box bounds(const Camera& camera, const mesh::Points3& vertices);
 
 }  // namespace isostretch::figures

@@ -13,7 +13,7 @@ struct Point {
   double x = 0, y = 0;
 };
 
-// x to the right, y down, in pixels.
+/// x to the right, y down, in pixels.
 struct Box {
   double x = 0, y = 0, width = 0, height = 0;
   double right() const { return x + width; }
@@ -26,9 +26,9 @@ struct TextStyle {
   double size = 13;
   Color color{0.15, 0.15, 0.15};
   bool bold = false;
-  Align across = Align::start;  // along the line of text
-  Align down = Align::middle;   // start: the text hangs below the point
-  bool vertical = false;        // read from bottom to top
+  Align across = Align::start;  ///< along the line of text
+  Align down = Align::middle;   ///< start: the text hangs below the point
+  bool vertical = false;        ///< read from bottom to top
 };
 
 enum class Dash { solid, dashed, dotted, dash_dotted };
@@ -42,7 +42,7 @@ struct LineStyle {
 
 enum class PictureFormat { png, svg };
 
-// A picture in memory, white at the start, drawn with cairo: antialiased pixels, or shapes of any size.
+/// A picture in memory, white at the start, drawn with cairo: antialiased pixels, or shapes of any size.
 class Canvas {
  public:
   Canvas(int width, int height, PictureFormat format = PictureFormat::png);
@@ -52,7 +52,7 @@ class Canvas {
 
   void text(Point at, const std::string& text, const TextStyle& style = {});
   double text_width(const std::string& text, const TextStyle& style = {});
-  // The text with its middle cut out where it is wider than that.
+  /// The text with its middle cut out where it is wider than that.
   std::string shortened(const std::string& text, double width, const TextStyle& style = {});
 
   void line(Point from, Point to, const LineStyle& style = {});
@@ -64,7 +64,7 @@ class Canvas {
   void frame(const Box& box, const LineStyle& style = {});
   void image(const Raster& raster, Point corner);
 
-  // The picture as the bytes of a file of its format; nothing can be drawn any more.
+  /// The picture as the bytes of a file of its format; nothing can be drawn any more.
   std::string file();
 
  private:

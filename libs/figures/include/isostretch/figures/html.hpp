@@ -22,7 +22,7 @@ std::string figure(std::string_view png, const std::string& description, const s
 
 struct Column {
   std::string name;
-  bool number = false;  // to the right
+  bool number = false;  ///< to the right
 };
 
 /// Returns a table. Cells are text and are escaped. Without names of columns there is no head; without

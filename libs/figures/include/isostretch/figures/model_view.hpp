@@ -5,7 +5,7 @@
 
 namespace isostretch::figures {
 
-// How the camera's screen is laid onto a picture: pixels = scale * screen + shift.
+/// How the camera's screen is laid onto a picture: pixels = scale * screen + shift.
 struct Placement {
   double scale = 1;
   Point shift;
@@ -13,12 +13,12 @@ struct Placement {
 
 struct ModelView {
   Raster picture;
-  std::vector<Point> flipped;  // middles of those triangles that are seen, in pixels
+  std::vector<Point> flipped;  ///< middles of those triangles that are seen, in pixels
   std::vector<bool> seen;      ///< of every probe, whether nothing lies in front of it
 };
 
-// Draws a surface whose vertices lie in the unit ball, two-sided, its inside greyer, with smooth normals and
-// two lights that move with the camera, on a light ground. Probes are points in the same ball.
+/// Draws a surface whose vertices lie in the unit ball, two-sided, its inside greyer, with smooth normals and
+/// two lights that move with the camera, on a light ground. Probes are points in the same ball.
 ModelView draw_view(const ModelData& model, const mesh::Points3& normals, const Camera& camera,
                     const Placement& placement, int width, int height,
                     const mesh::Points3& probes = mesh::Points3(0, 3));

@@ -8,11 +8,11 @@
 
 namespace isostretch::figures {
 
-// Colour times opacity, and opacity, from 0 to 255.
+/// Colour times opacity, and opacity, from 0 to 255.
 using Premultiplied = std::array<double, 4>;
 
-// A picture with an alpha channel. Row 0 is at the top; the middle of the pixel in column i and row j is at
-// (i + 1/2, j + 1/2).
+/// A picture with an alpha channel. Row 0 is at the top; the middle of the pixel in column i and row j is at
+/// (i + 1/2, j + 1/2).
 class Photo {
  public:
   Photo(int width, int height);
@@ -20,14 +20,14 @@ class Photo {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  // 0xAARRGGBB, colours times opacity.
+  /// 0xAARRGGBB, colours times opacity.
   std::uint32_t pixel(int column, int row) const { return pixels_[index(column, row)]; }
   void set_pixel(int column, int row, std::uint32_t value) { pixels_[index(column, row)] = value; }
 
-  // Bilinear between the middles of pixels; beyond the outermost ones as at them.
+  /// Bilinear between the middles of pixels; beyond the outermost ones as at them.
   Premultiplied at(double x, double y) const;
 
-  // As the bytes of a PNG file.
+  /// As the bytes of a PNG file.
   std::string png() const;
 
  private:
@@ -40,7 +40,7 @@ class Photo {
   std::vector<std::uint32_t> pixels_;
 };
 
-// A PNG file of any kind, at 8 bits a channel. Throws Error naming the file.
+/// A PNG file of any kind, at 8 bits a channel. Throws Error naming the file.
 Photo read_photo(const std::filesystem::path& file);
 
 }  // namespace isostretch::figures

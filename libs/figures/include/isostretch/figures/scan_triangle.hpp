@@ -6,8 +6,8 @@
 
 namespace isostretch::figures {
 
-// Where the line from a to b crosses the row y widens the span [left, right]. It comes out the same to the
-// bit from b to a: a sample on an edge would otherwise fall between the triangles on both sides.
+/// Where the line from a to b crosses the row y widens the span [left, right]. It comes out the same to the
+/// bit from b to a: a sample on an edge would otherwise fall between the triangles on both sides.
 struct Span {
   double left = HUGE_VAL, right = -HUGE_VAL;
 
@@ -20,14 +20,14 @@ struct Span {
   }
 };
 
-// First sample centre at or beyond a coordinate, kept in [0, count]; NaN gives 0.
+/// First sample centre at or beyond a coordinate, kept in [0, count]; NaN gives 0.
 inline int first_sample(double coordinate, int count) {
   const double c = std::ceil(coordinate - 0.5);
   return c > 0 ? static_cast<int>(std::min(c, static_cast<double>(count))) : 0;
 }
 
-// Calls visit(row, from, to) for the rows of samples inside a triangle, in [from, to). Corners are x and y in
-// turn, in samples, in either orientation. A sample on an edge of two triangles belongs to one of them.
+/// Calls visit(row, from, to) for the rows of samples inside a triangle, in [from, to). Corners are x and y
+/// in turn, in samples, in either orientation. A sample on an edge of two triangles belongs to one of them.
 template <class Visit>
 void scan_triangle(const double (&p)[6], int columns, int rows, Visit&& visit) {
   const int last = first_sample(std::max({p[1], p[3], p[5]}), rows);

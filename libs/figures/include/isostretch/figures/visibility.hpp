@@ -6,20 +6,20 @@
 
 namespace isostretch::figures {
 
-// What is seen at every sample of a picture: the nearest triangle, by its number. Colours are computed
-// afterwards, once a sample, however many triangles lie behind each other.
+/// What is seen at every sample of a picture: the nearest triangle, by its number. Colours are computed
+/// afterwards, once a sample, however many triangles lie behind each other.
 class Visibility {
  public:
   static constexpr int nothing = -1, line = -2;
 
   Visibility(int columns, int rows);
 
-  // Corners in samples. After all triangles, lines: `slack` is how much nearer, as a share, a line counts
-  // than it is, so that it is not lost in the surface it lies on.
+  /// Corners in samples. After all triangles, lines: `slack` is how much nearer, as a share, a line counts
+  /// than it is, so that it is not lost in the surface it lies on.
   void add_triangle(int number, const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c);
   void add_line(const ScreenPoint& a, const ScreenPoint& b, double width, double slack);
 
-  // Whether nothing lies in front of a point.
+  /// Whether nothing lies in front of a point.
   bool sees(const ScreenPoint& p, double slack) const;
 
   int columns() const { return columns_; }

@@ -28,21 +28,21 @@ inline Vector3 cross(const Vector3& a, const Vector3& b) {
           product_difference(a[0], b[1], a[1], b[0])};
 }
 
-// Of a triangle in the plane, to about one rounding of the result.
+/// Of a triangle in the plane, to about one rounding of the result.
 template <class Corners>
 double signed_area(const Points2& uv, const Corners& v) {
   return 0.5 * product_difference(uv(v[1], 0) - uv(v[0], 0), uv(v[2], 1) - uv(v[0], 1),
                                   uv(v[1], 1) - uv(v[0], 1), uv(v[2], 0) - uv(v[0], 0));
 }
 
-// A triangle in space seen from its longest edge: base from corner `first` to the next one, the third corner
-// above.
+/// A triangle in space seen from its longest edge: base from corner `first` to the next one, the third corner
+/// above.
 struct TriangleShape {
-  int first = 0;      // local corner where the base begins
-  double base = 0;    // length of the longest edge
-  double height = 0;  // of the third corner over it
-  double before = 0;  // foot of the height from the beginning of the base
-  double after = 0;   // and from its end; before + after = base
+  int first = 0;      ///< local corner where the base begins
+  double base = 0;    ///< length of the longest edge
+  double height = 0;  ///< of the third corner over it
+  double before = 0;  ///< foot of the height from the beginning of the base
+  double after = 0;   ///< and from its end; before + after = base
   double area() const { return 0.5 * base * height; }
   bool degenerate() const { return !(height > degenerate_height * base); }
 };
@@ -68,12 +68,12 @@ TriangleShape triangle_shape(const Points3& points, const Corners& v) {
   return shape;
 }
 
-// Six times the signed volume, and its size against which zero is judged.
+/// Six times the signed volume, and its size against which zero is judged.
 struct TetShape {
   double six_volumes = 0;
   double longest_edge = 0;
-  double largest_face = 0;  // twice its area
-  // Smallest height against the longest edge.
+  double largest_face = 0;  ///< twice its area
+  /// Smallest height against the longest edge.
   bool degenerate() const {
     return !(std::abs(six_volumes) > degenerate_height * largest_face * longest_edge);
   }

@@ -8,7 +8,7 @@
 
 namespace isostretch::mesh {
 
-// "9987 9970 9494": the vertices of an element, as they stand in the mesh.
+/// "9987 9970 9494": the vertices of an element, as they stand in the mesh.
 template <class Elements>
 std::string vertex_list(const Elements& elements, Eigen::Index element) {
   std::string text;
@@ -19,7 +19,7 @@ std::string vertex_list(const Elements& elements, Eigen::Index element) {
   return text;
 }
 
-// "triangle 18564 (vertices 9987 9970 9494)".
+/// "triangle 18564 (vertices 9987 9970 9494)".
 template <class Elements>
 std::string element_text(const char* what, const Elements& elements, Eigen::Index element) {
   return std::string(what) + " " + std::to_string(element) + " (vertices " + vertex_list(elements, element) +
@@ -33,7 +33,7 @@ bool indices_in_range(const Elements& elements, Eigen::Index element, Eigen::Ind
   return true;
 }
 
-// The mesh that elements of an assembly are made of has some.
+/// The mesh that elements of an assembly are made of has some.
 template <class Elements>
 void require_any(const Elements& elements, const char* what) {
   if (elements.rows() == 0)

@@ -15,13 +15,13 @@ struct ReadOptions {
   bool leave_out_faces = false;
   /// Ends the message about such a face: how the user has it left out.
   std::string face_advice = {};
-  // OBJ, PLY, OFF, VTK, VTU: take texture coordinates. Either every face has them or none; false ignores
-  // them.
+  /// OBJ, PLY, OFF, VTK, VTU: take texture coordinates. Either every face has them or none; false ignores
+  /// them.
   bool read_uv = true;
-  // STL, which knows corners only: equal corners become one vertex. Otherwise every triangle has three of its
-  // own.
+  /// STL, which knows corners only: equal corners become one vertex. Otherwise every triangle has three of
+  /// its own.
   bool weld = true;
-  // Welding takes corners for equal up to this distance from the first of them. 0: the same numbers.
+  /// Welding takes corners for equal up to this distance from the first of them. 0: the same numbers.
   double weld_tolerance = 0;
 };
 
@@ -40,18 +40,18 @@ struct ReadOptions {
 //
 // `parse` functions read from memory; `name` stands for the path in messages.
 
-// By the extension, in any case: .obj .off .ply .stl .msh .mesh .vtk .vtu.
+/// By the extension, in any case: .obj .off .ply .stl .msh .mesh .vtk .vtu.
 SurfaceMesh read_surface(const std::string& path, const ReadOptions& options = {});
-// .msh .mesh .vtk .vtu .node .ele.
+/// .msh .mesh .vtk .vtu .node .ele.
 TetMesh read_tets(const std::string& path, const ReadOptions& options = {});
 
 enum class Encoding { text, binary };
 enum class MshVersion { v2_2, v4_0, v4_1 };
 
 struct WriteOptions {
-  Encoding encoding = Encoding::binary;  // PLY, MSH, VTK, VTU; other formats have one encoding
+  Encoding encoding = Encoding::binary;  ///< PLY, MSH, VTK, VTU; other formats have one encoding
   MshVersion msh_version = MshVersion::v4_1;
-  bool vtu_base64 = false;  // binary VTU: base64 in every array instead of raw bytes at the end of the file
+  bool vtu_base64 = false;  ///< binary VTU: base64 in every array instead of raw bytes at the end of the file
   bool vtu_compressed = false;  ///< binary VTU: arrays compressed by zlib
 };
 
@@ -60,38 +60,38 @@ struct WriteOptions {
 // or naming the vertex or element with a coordinate that is not finite or an index out of range. `format`
 // functions return the contents.
 
-// By the extension: .obj .off .ply .msh .mesh .vtk .vtu .glb.
+/// By the extension: .obj .off .ply .msh .mesh .vtk .vtu .glb.
 void write_surface(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options = {});
-// .msh .mesh .vtk .vtu.
+/// .msh .mesh .vtk .vtu.
 void write_tets(const std::string& path, const TetMesh& mesh, const WriteOptions& options = {});
 
-// Wavefront OBJ: v, vt and f, with negative indices and line continuations. Normals, groups, materials,
-// colours after a vertex and every other statement are skipped; obj_document.hpp keeps them.
+/// Wavefront OBJ: v, vt and f, with negative indices and line continuations. Normals, groups, materials,
+/// colours after a vertex and every other statement are skipped; obj_document.hpp keeps them.
 SurfaceMesh read_obj(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_obj(std::string_view text, const std::string& name, const ReadOptions& options = {});
 void write_obj(const std::string& path, const SurfaceMesh& mesh);
 std::string format_obj(const SurfaceMesh& mesh);
 
-// Object File Format in text, with comments; colours, normals and texture coordinates of vertices and faces
-// are skipped. Only OBJ, PLY and glTF hold texture coordinates; all other writers leave them out.
+/// Object File Format in text, with comments; colours, normals and texture coordinates of vertices and faces
+/// are skipped. Only OBJ, PLY and glTF hold texture coordinates; all other writers leave them out.
 SurfaceMesh read_off(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_off(std::string_view text, const std::string& name, const ReadOptions& options = {});
 void write_off(const std::string& path, const SurfaceMesh& mesh);
 std::string format_off(const SurfaceMesh& mesh);
 
-// Stanford PLY in text and in either byte order: x, y, z of vertices, and faces from the list vertex_indices
-// or vertex_index, in any types; other elements and properties are skipped. Texture coordinates are
-// properties of vertices (s and t, u and v, texture_u and texture_v, texture_s and texture_t) or, before
-// these, the list texcoord of faces. Written with doubles, binary in little endian, texture coordinates as s
-// and t unless a vertex has several.
+/// Stanford PLY in text and in either byte order: x, y, z of vertices, and faces from the list vertex_indices
+/// or vertex_index, in any types; other elements and properties are skipped. Texture coordinates are
+/// properties of vertices (s and t, u and v, texture_u and texture_v, texture_s and texture_t) or, before
+/// these, the list texcoord of faces. Written with doubles, binary in little endian, texture coordinates as s
+/// and t unless a vertex has several.
 SurfaceMesh read_ply(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_ply(std::string_view contents, const std::string& name, const ReadOptions& options = {});
 void write_ply(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options = {});
 std::string format_ply(const SurfaceMesh& mesh, const WriteOptions& options = {});
 
-// STL, binary if the length is what its number of triangles makes, and text if it begins with solid; normals,
-// colours and names are skipped. What follows the triangles that a binary file counts is not read, and the
-// log told. Reading only.
+/// STL, binary if the length is what its number of triangles makes, and text if it begins with solid;
+/// normals, colours and names are skipped. What follows the triangles that a binary file counts is not read,
+/// and the log told. Reading only.
 SurfaceMesh read_stl(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_stl(std::string_view contents, const std::string& name, const ReadOptions& options = {});
 
@@ -105,10 +105,10 @@ SurfaceMesh parse_stl(std::string_view contents, const std::string& name, const 
 /// .ele, and of surfaces .obj .off .ply .stl, whose faces become triangles.
 ElementMesh read_elements(const std::string& path, const ReadOptions& options = {});
 
-// Gmsh MSH, versions 2.0 to 2.2, 4.0 and 4.1, text and binary of either byte order. Node tags may have gaps;
-// vertices are in the order of the file. An element that is there several times under one number, or in
-// version 2 once for each of its physical groups, is one element; different ones under one number are
-// refused.
+/// Gmsh MSH, versions 2.0 to 2.2, 4.0 and 4.1, text and binary of either byte order. Node tags may have gaps;
+/// vertices are in the order of the file. An element that is there several times under one number, or in
+/// version 2 once for each of its physical groups, is one element; different ones under one number are
+/// refused.
 SurfaceMesh read_msh_surface(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_msh_surface(std::string_view contents, const std::string& name,
                               const ReadOptions& options = {});
@@ -122,7 +122,7 @@ void write_msh(const std::string& path, const TetMesh& mesh, const WriteOptions&
 std::string format_msh(const SurfaceMesh& mesh, const WriteOptions& options = {});
 std::string format_msh(const TetMesh& mesh, const WriteOptions& options = {});
 
-// MEDIT .mesh in text; dimension 2 gives z = 0.
+/// MEDIT .mesh in text; dimension 2 gives z = 0.
 SurfaceMesh read_medit_surface(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_medit_surface(std::string_view text, const std::string& name,
                                 const ReadOptions& options = {});
@@ -136,8 +136,9 @@ void write_medit(const std::string& path, const TetMesh& mesh);
 std::string format_medit(const SurfaceMesh& mesh);
 std::string format_medit(const TetMesh& mesh);
 
-// Legacy VTK, text and binary: POLYDATA (polygons and triangle strips) and UNSTRUCTURED_GRID of versions 2 to
-// 5. Written as version 3.0, surfaces as POLYDATA, tetrahedra as UNSTRUCTURED_GRID.
+/// Legacy VTK, text and binary: POLYDATA (polygons and triangle strips) and UNSTRUCTURED_GRID of versions 2
+/// to
+/// 5. Written as version 3.0, surfaces as POLYDATA, tetrahedra as UNSTRUCTURED_GRID.
 SurfaceMesh read_vtk_surface(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_vtk_surface(std::string_view contents, const std::string& name,
                               const ReadOptions& options = {});
@@ -151,9 +152,9 @@ void write_vtk(const std::string& path, const TetMesh& mesh, const WriteOptions&
 std::string format_vtk(const SurfaceMesh& mesh, const WriteOptions& options = {});
 std::string format_vtk(const TetMesh& mesh, const WriteOptions& options = {});
 
-// VTK's XML for unstructured grids: text, base64 in the arrays, and appended data, raw or in base64; lengths
-// of 32 and 64 bits; arrays compressed by zlib, as VTK and meshio do by default. Other compressors are
-// refused by name. Pieces are joined.
+/// VTK's XML for unstructured grids: text, base64 in the arrays, and appended data, raw or in base64; lengths
+/// of 32 and 64 bits; arrays compressed by zlib, as VTK and meshio do by default. Other compressors are
+/// refused by name. Pieces are joined.
 SurfaceMesh read_vtu_surface(const std::string& path, const ReadOptions& options = {});
 SurfaceMesh parse_vtu_surface(std::string_view contents, const std::string& name,
                               const ReadOptions& options = {});
@@ -187,19 +188,19 @@ ElementMesh read_tetgen_elements(const std::string& path, const ReadOptions& opt
 ElementMesh parse_tetgen_elements(const TetgenFiles& files, const ReadOptions& options = {});
 
 struct GlbOptions {
-  // Area-weighted normals of the vertices of the mesh, smooth across texture seams; where the triangles of a
-  // vertex leave no direction, (0, 0, 1).
+  /// Area-weighted normals of the vertices of the mesh, smooth across texture seams; where the triangles of a
+  /// vertex leave no direction, (0, 0, 1).
   bool normals = true;
-  // The bytes of a PNG file to embed as base colour; needs texture coordinates. Empty: a plain grey surface.
+  /// The bytes of a PNG file to embed as base colour; needs texture coordinates. Empty: a plain grey surface.
   std::string base_color_png = {};
   /// How often the picture is repeated along a side of the unit square of uv, from its lower left corner; uv
   /// stay as they are (extension KHR_texture_transform, left out for 1). Positive and finite.
   double repeats = 1;
 };
 
-// Binary glTF 2.0, one mesh. A vertex is doubled where its texture coordinates differ, v runs downwards as
-// glTF wants it, and vertices that no triangle uses are left out. Numbers are floats: a coordinate beyond
-// their range is refused. Writing only.
+/// Binary glTF 2.0, one mesh. A vertex is doubled where its texture coordinates differ, v runs downwards as
+/// glTF wants it, and vertices that no triangle uses are left out. Numbers are floats: a coordinate beyond
+/// their range is refused. Writing only.
 void write_glb(const std::string& path, const SurfaceMesh& mesh, const GlbOptions& options = {});
 std::string format_glb(const SurfaceMesh& mesh, const GlbOptions& options = {});
 

@@ -12,13 +12,13 @@ namespace isostretch::parameterization {
 /// What is flattened: the model, opened where it has to be.
 struct Domain {
   mesh::SurfaceMesh input;
-  // Opened: the same triangles in the same order, a vertex on a seam has several copies.
+  /// Opened: the same triangles in the same order, a vertex on a seam has several copies.
   mesh::Cut cut;
-  mesh::Points2 input_uv;  // per vertex of cut.mesh, when the input's uv is the start
-  int components = 0;      // of the input
+  mesh::Points2 input_uv;  ///< per vertex of cut.mesh, when the input's uv is the start
+  int components = 0;      ///< of the input
   int boundary_loops = 0;
-  bool closed = false;  // no component has a boundary
-  int genus = -1;       // summed over components; -1: not defined
+  bool closed = false;  ///< no component has a boundary
+  int genus = -1;       ///< summed over components; -1: not defined
   bool seams_from_input = false;
 
   const mesh::SurfaceMesh& open() const { return cut.mesh; }
@@ -29,8 +29,8 @@ struct Domain {
 /// go with it.
 Domain make_domain(const mesh::SurfaceMesh& model, const Options& options);
 
-// The rows of a layout that are listed, in that order: of a chart's vertices, or of copies that a cut has
-// made.
+/// The rows of a layout that are listed, in that order: of a chart's vertices, or of copies that a cut has
+/// made.
 mesh::Points2 rows_of(const mesh::Points2& uv, const std::vector<int>& rows);
 
 /// Returns the vertex of the opened mesh that a vertex of the model is. Throws OptionError for `option`,

@@ -7,9 +7,9 @@
 
 namespace isostretch::mesh {
 
-// Edges by their vertices, the smaller first, each once.
+/// Edges by their vertices, the smaller first, each once.
 struct Edges {
-  std::vector<std::array<int, 2>> inner, boundary;  // of several triangles, of one
+  std::vector<std::array<int, 2>> inner, boundary;  ///< of several triangles, of one
 };
 
 Edges edges_of(const Triangles& triangles);

@@ -12,7 +12,7 @@
 
 namespace isostretch::testing {
 
-// Where functions of Real come from; specialise for types that <cmath> does not know.
+/// Where functions of Real come from; specialise for types that <cmath> does not know.
 template <class Real>
 struct RealFunctions {
   static Real log(Real x) { return std::log(x); }
@@ -28,10 +28,10 @@ template <class Real, int N>
 struct AutomaticScalar {
   Real value;
   std::array<Real, N> gradient{};
-  std::array<Real, N * N> hessian{};  // symmetric, both triangles
+  std::array<Real, N * N> hessian{};  ///< symmetric, both triangles
 
   AutomaticScalar() : value(0) {}
-  // NOLINTNEXTLINE: implicit on purpose, constants mix freely
+  /// NOLINTNEXTLINE: implicit on purpose, constants mix freely
   template <class Number,
             class = std::enable_if_t<std::is_arithmetic_v<Number> || std::is_same_v<Number, Real>>>
   AutomaticScalar(Number constant) : value(static_cast<Real>(constant)) {}
@@ -42,7 +42,7 @@ struct AutomaticScalar {
     return x;
   }
 
-  // h(x), with h, h' and h'' at x.value.
+  /// h(x), with h, h' and h'' at x.value.
   friend AutomaticScalar chain(const AutomaticScalar& x, Real h, Real dh, Real ddh) {
     AutomaticScalar r(h);
     for (int i = 0; i < N; ++i) {
@@ -116,7 +116,7 @@ struct AutomaticScalar {
     return p * q - r * s;
   }
 
-  // Branches compare values; the derivatives are those of the branch taken.
+  /// Branches compare values; the derivatives are those of the branch taken.
   friend bool operator<(const AutomaticScalar& x, const AutomaticScalar& y) { return x.value < y.value; }
   friend bool operator>(const AutomaticScalar& x, const AutomaticScalar& y) { return x.value > y.value; }
   friend bool operator<=(const AutomaticScalar& x, const AutomaticScalar& y) { return x.value <= y.value; }

@@ -38,9 +38,10 @@ namespace isostretch::testing {
 struct EnergyCheckOptions {
   int random_samples = 8;
   unsigned seed = 1;
-  double psi_tolerance = 1e-9;         // relative to |psi| + |gradient| |F| + |A| |F|^2
-  double derivative_tolerance = 1e-9;  // closed form against automatic differentiation, relative to the norm
-  double difference_tolerance = 1e-6;  // against finite differences in double
+  double psi_tolerance = 1e-9;  ///< relative to |psi| + |gradient| |F| + |A| |F|^2
+  double derivative_tolerance =
+      1e-9;  ///< closed form against automatic differentiation, relative to the norm
+  double difference_tolerance = 1e-6;  ///< against finite differences in double
 };
 
 namespace detail {
@@ -86,7 +87,7 @@ class EnergyChecker {
     return assemble_gradient<Dim>(modes, derivatives(modes.stretch()));
   }
 
-  // Inside the domain with some room, and where the energy is a number that can be compared.
+  /// Inside the domain with some room, and where the energy is a number that can be compared.
   bool usable(const Matrix& F) const {
     const double bound = energies::determinant_bound(energy_), J = F.determinant();
     if (!(J > bound + (std::isfinite(bound) ? 1e-12 : 0.0))) return false;
@@ -153,8 +154,8 @@ class EnergyChecker {
     }
   }
 
-  // The psi-only path and the long double differences lose digits on graded stretch; norms forgive most of
-  // it.
+  /// The psi-only path and the long double differences lose digits on graded stretch; norms forgive most of
+  /// it.
   double witness_tolerance() const {
     const double room = from_invariants ? 1.0 : 1000.0;
     return options_.derivative_tolerance * room;
@@ -208,7 +209,7 @@ class EnergyChecker {
     facts_.negative_scaling |= linalg::symmetric_eigen<Dim>(A).lambda.minCoeff() < -1e-10 * A.norm();
   }
 
-  // A state without stress has no twist stiffness: rotating it costs nothing, to second order either.
+  /// A state without stress has no twist stiffness: rotating it costs nothing, to second order either.
   void check_rest() {
     sample_ = &rest_;
     Stretch s;
@@ -226,7 +227,7 @@ class EnergyChecker {
     }
   }
 
-  // psi through the chunk kernel, which is where the barrier is built in.
+  /// psi through the chunk kernel, which is where the barrier is built in.
   double guarded_psi(const Eigen::Matrix<double, Dim, 1>& sigma) const {
     constexpr int count = 8;
     std::array<double, Dim * count> in{};
@@ -263,8 +264,8 @@ class EnergyChecker {
     }
   }
 
-  // Values a factor of 1000 nearer to the bound each: a barrier keeps growing by at least as much (log J),
-  // anything finite grows a thousand times less.
+  /// Values a factor of 1000 nearer to the bound each: a barrier keeps growing by at least as much (log J),
+  /// anything finite grows a thousand times less.
   static bool diverges(double far, double near, double nearest) {
     return nearest == infinity || (near > far && nearest - near > 0.5 * (near - far));
   }

@@ -16,8 +16,8 @@ template <int Dim>
 struct DeformationSample {
   std::string category;
   Eigen::Matrix<double, Dim, Dim> F;
-  bool moderate;  // finite differences in double mean something here
-  bool smooth;    // all sigma_j + sigma_k > 0: the rotation is unique
+  bool moderate;  ///< finite differences in double mean something here
+  bool smooth;    ///< all sigma_j + sigma_k > 0: the rotation is unique
 };
 
 template <int Dim>
@@ -30,7 +30,7 @@ Eigen::Matrix<double, Dim, Dim> random_rotation(std::mt19937& generator) {
   return Q;
 }
 
-// U diag(sigma) V^T with random rotations.
+/// U diag(sigma) V^T with random rotations.
 template <int Dim>
 Eigen::Matrix<double, Dim, Dim> with_stretch(const Eigen::Matrix<double, Dim, 1>& sigma,
                                              std::mt19937& generator) {

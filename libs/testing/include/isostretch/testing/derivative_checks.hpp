@@ -33,12 +33,12 @@ struct DifferenceOptions {
   unsigned seed = 1;
 };
 
-// What one sweep over the steps found.
+/// What one sweep over the steps found.
 struct Sweep {
   double best_error = std::numeric_limits<double>::infinity();
   double best_step = 0;
-  // d log(error) / d log(step) over the steps that truncation dominates; NaN where none does (the
-  // difference is exact to rounding, as for a quadratic).
+  /// d log(error) / d log(step) over the steps that truncation dominates; NaN where none does (the
+  /// difference is exact to rounding, as for a quadratic).
   double slope = std::numeric_limits<double>::quiet_NaN();
 
   bool ok(const DifferenceOptions& options) const {
@@ -47,8 +47,8 @@ struct Sweep {
 };
 
 struct DerivativeReport {
-  Sweep gradient, hessian;  // the worst over all directions
-  Eigen::VectorXd x;        // where
+  Sweep gradient, hessian;  ///< the worst over all directions
+  Eigen::VectorXd x;        ///< where
   DifferenceOptions options;
 
   bool ok() const { return gradient.ok(options) && hessian.ok(options); }
@@ -68,8 +68,8 @@ struct DerivativeReport {
 
 namespace detail {
 
-// error(h) for h = largest, largest/10, ...; infinite or NaN errors (a step that leaves the domain) are
-// skipped.
+/// error(h) for h = largest, largest/10, ...; infinite or NaN errors (a step that leaves the domain) are
+/// skipped.
 template <class Error>
 Sweep sweep_steps(Error error, const DifferenceOptions& options) {
   Sweep sweep;

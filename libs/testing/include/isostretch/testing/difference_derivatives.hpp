@@ -28,7 +28,7 @@ inline constexpr int stencil_size = 4;
 inline constexpr int stencil_offset[stencil_size] = {-2, -1, 1, 2};
 inline constexpr long double stencil_weight[stencil_size] = {1.0L / 12, -8.0L / 12, 8.0L / 12, -1.0L / 12};
 
-// d of values(t) at 0, values at multiples of the step h.
+/// d of values(t) at 0, values at multiples of the step h.
 template <class Values>
 long double stencil(Values values, long double h) {
   long double sum = 0;

@@ -21,7 +21,7 @@ struct Eigenpair {
   Eigen::Matrix<double, Dim * Dim, 1> vector;
 };
 
-// twist_i on the modes of F, flip_i likewise, and the Dim eigenpairs of the scaling block A.
+/// twist_i on the modes of F, flip_i likewise, and the Dim eigenpairs of the scaling block A.
 template <int Dim>
 std::vector<Eigenpair<Dim>> analytic_eigenpairs(const invariants::Modes<Dim>& modes,
                                                 const invariants::StretchDerivatives<Dim, double>& d) {
@@ -43,7 +43,7 @@ std::vector<Eigenpair<Dim>> analytic_eigenpairs(const invariants::Modes<Dim>& mo
   return pairs;
 }
 
-// sum of filter(value) vector vector^T.
+/// sum of filter(value) vector vector^T.
 template <int Dim, class Filter>
 Eigen::Matrix<double, Dim * Dim, Dim * Dim> assemble(const std::vector<Eigenpair<Dim>>& pairs,
                                                      Filter filter) {
@@ -53,7 +53,7 @@ Eigen::Matrix<double, Dim * Dim, Dim * Dim> assemble(const std::vector<Eigenpair
   return H;
 }
 
-// d psi / d vec(F) from the derivatives along the stretch.
+/// d psi / d vec(F) from the derivatives along the stretch.
 template <int Dim>
 Eigen::Matrix<double, Dim * Dim, 1> assemble_gradient(const invariants::Modes<Dim>& modes,
                                                       const invariants::StretchDerivatives<Dim, double>& d) {
@@ -72,7 +72,7 @@ struct AbsoluteEigenvalue {
   double operator()(double value) const { return std::abs(value); }
 };
 
-// The filter on a numerical eigen-decomposition of H.
+/// The filter on a numerical eigen-decomposition of H.
 template <class Matrix, class Filter>
 Matrix filtered_numerically(const Matrix& H, Filter filter) {
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(H);
@@ -80,13 +80,13 @@ Matrix filtered_numerically(const Matrix& H, Filter filter) {
          eigen.eigenvectors().transpose();
 }
 
-// How well analytic eigenpairs explain a Hessian that somebody else computed. All relative to |H|.
+/// How well analytic eigenpairs explain a Hessian that somebody else computed. All relative to |H|.
 struct EigensystemErrors {
-  double hessian = 0;      // |assembled - H|
-  double residual = 0;     // max |H v - lambda v|
-  double eigenvalues = 0;  // max difference of the sorted eigenvalues
-  double clamp = 0;        // of the projections max(lambda, 0)
-  double absolute = 0;     // and |lambda|
+  double hessian = 0;      ///< |assembled - H|
+  double residual = 0;     ///< max |H v - lambda v|
+  double eigenvalues = 0;  ///< max difference of the sorted eigenvalues
+  double clamp = 0;        ///< of the projections max(lambda, 0)
+  double absolute = 0;     ///< and |lambda|
 
   double worst() const { return std::max({hessian, residual, eigenvalues, clamp, absolute}); }
 };

@@ -9,25 +9,25 @@
 
 namespace isostretch::testing {
 
-// One property of an energy in one dimension, with the worst case over all deformation samples.
+/// One property of an energy in one dimension, with the worst case over all deformation samples.
 struct EnergyCheck {
   int dim;
   std::string what;
   double tolerance;
   double worst = 0;
-  std::string where;  // category and F of the worst case
+  std::string where;  ///< category and F of the worst case
   int samples = 0;
 
-  // Not (worst > tolerance): NaN is a failure.
+  /// Not (worst > tolerance): NaN is a failure.
   bool ok() const { return worst <= tolerance; }
 };
 
-// Facts rather than verdicts: an energy may well have stress at rest, or be convex.
+/// Facts rather than verdicts: an energy may well have stress at rest, or be convex.
 struct EnergyFacts {
   int dim;
   double psi_at_rest = 0;
-  double stress_at_rest = 0;  // |d psi / d sigma| at sigma = 1
-  // Which modes were seen negative among the samples with det F > 0.
+  double stress_at_rest = 0;  ///< |d psi / d sigma| at sigma = 1
+  /// Which modes were seen negative among the samples with det F > 0.
   bool negative_twist = false, negative_flip = false, negative_scaling = false;
 };
 

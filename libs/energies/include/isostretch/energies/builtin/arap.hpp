@@ -4,9 +4,9 @@
 
 namespace isostretch::energies {
 
-// As rigid as possible: psi = |F - R|^2 = sum (sigma - 1)^2 (Smith et al. 2019, section 5.1, where the
-// constant must be
-// + dim, not + dim^2). Finite under inversion. Only twists can be negative, where sigma_j + sigma_k < 2.
+/// The as-rigid-as-possible energy: psi = |F - R|^2 = sum (sigma - 1)^2 (Smith, de Goes, Kim 2019, section
+/// 5.1, where the constant must be plus dim, not plus dim^2). Finite under inversion. Only twists can be
+/// negative, where sigma_j + sigma_k < 2.
 struct Arap {
   static constexpr const char* name = "arap";
   static constexpr bool decoupled = true;

@@ -4,8 +4,8 @@
 
 namespace isostretch::energies {
 
-// Conformal AMIPS (Fu, Liu, Guo 2015, in its scale-invariant form): psi = |F|^2 / (3 det F^(2/3)), minimum 1
-// at every similarity. Infinite at det F <= 0.
+/// The conformal AMIPS energy (Fu, Liu, Guo 2015, in its scale-invariant form): psi = |F|^2 / (3 det
+/// F^(2/3)), minimum 1 at every similarity. Infinite at det F <= 0. Exists in 3D.
 struct ConformalAmips3d {
   static constexpr const char* name = "conformal_amips_3d";
   static constexpr double minimum_determinant = 0.0;

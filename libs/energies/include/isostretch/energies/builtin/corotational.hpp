@@ -4,14 +4,14 @@
 
 namespace isostretch::energies {
 
-// Co-rotational linear elasticity: psi = mu |F - R|^2 + kappa/2 tr(S - I)^2 (Smith et al. 2019, appendix F.1,
-// whose twist eigenvalue lacks parentheses). Finite under inversion. Lame parameters of small strain: (mu,
-// kappa).
+/// Co-rotational linear elasticity: psi = mu |F - R|^2 + kappa/2 tr(S - I)^2 (Smith, de Goes, Kim 2019,
+/// appendix F.1, whose twist eigenvalue lacks parentheses). Finite under inversion. The Lame parameters of
+/// small strain are (mu, kappa).
 struct Corotational {
   static constexpr const char* name = "corotational";
 
-  double mu = 1.0;
-  double kappa = 1.0;
+  double mu = 1.0;     ///< Shear modulus, in the units of psi.
+  double kappa = 1.0;  ///< Resistance to a change of tr S, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {

@@ -4,7 +4,7 @@
 
 namespace isostretch::energies {
 
-// psi = 1/2 |F|^2. Convex; the rest state is the point.
+/// The Dirichlet energy: psi = 1/2 |F|^2. Convex; the state of least energy is a point.
 struct Dirichlet {
   static constexpr const char* name = "dirichlet";
   static constexpr bool decoupled = true;

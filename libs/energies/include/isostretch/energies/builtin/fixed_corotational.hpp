@@ -4,13 +4,14 @@
 
 namespace isostretch::energies {
 
-// Fixed co-rotational elasticity (Stomakhin et al. 2012): psi = mu sum (sigma - 1)^2 + lambda/2 (J - 1)^2.
-// Finite under inversion. Lame parameters: (mu, lambda). mu = 1 is ARAP with a quadratic volume term.
+/// Fixed co-rotational elasticity (Stomakhin et al. 2012): psi = mu sum (sigma - 1)^2 + lambda/2 (J - 1)^2.
+/// Finite under inversion. The Lame parameters of small strain are (mu, lambda). mu = 1 is ARAP with a
+/// quadratic volume term.
 struct FixedCorotational {
   static constexpr const char* name = "fixed_corotational";
 
-  double mu = 1.0;
-  double lambda = 1.0;
+  double mu = 1.0;      ///< Shear modulus, in the units of psi.
+  double lambda = 1.0;  ///< First Lame parameter, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {

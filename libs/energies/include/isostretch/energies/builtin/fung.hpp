@@ -4,16 +4,15 @@
 
 namespace isostretch::energies {
 
-// Exponential soft-tissue model (Fung, Demiray) in y = |F|^2 J^(-2/dim): psi = mu/(2 b) (exp(b (y - dim)) -
-// 1)
-// + K/2 (J - 1)^2. Infinite at det F <= 0 and where the exponential overflows.
+/// The exponential soft-tissue model of Fung and Demiray in y = |F|^2 J^(-2/dim): psi = mu/(2 b) (exp(b (y -
+/// dim)) - 1) + K/2 (J - 1)^2. Infinite at det F <= 0 and where the exponential overflows.
 struct Fung {
   static constexpr const char* name = "fung";
   static constexpr double minimum_determinant = 0.0;
 
-  double mu = 1.0;
-  double b = 1.0;
-  double K = 1.0;
+  double mu = 1.0;  ///< Shear modulus, in the units of psi.
+  double b = 1.0;   ///< Stiffening, the factor in the exponent.
+  double K = 1.0;   ///< Volume stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {

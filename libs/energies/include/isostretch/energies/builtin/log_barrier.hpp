@@ -4,13 +4,13 @@
 
 namespace isostretch::energies {
 
-// psi = -weight log J, a term to add to others. Infinite at det F <= 0.
+/// A logarithmic barrier to add to other energies: psi = -weight log J. Infinite at det F <= 0.
 struct LogBarrier {
   static constexpr const char* name = "log_barrier";
   static constexpr double minimum_determinant = 0.0;
   static constexpr bool decoupled = true;
 
-  double weight = 1.0;
+  double weight = 1.0;  ///< Stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {

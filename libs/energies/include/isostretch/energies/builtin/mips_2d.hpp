@@ -4,9 +4,10 @@
 
 namespace isostretch::energies {
 
-// Most isometric parameterizations (Hormann & Greiner 2000): psi = |F|^2 / det F = a/b + b/a, minimum 2 at
-// every similarity. Smith et al. 2019, Eq. 37, prints the scaling eigenpairs with two errors. Infinite at det
-// F <= 0. The twist is never positive, and neither is one scaling eigenvalue: the energy is scale-invariant.
+/// The energy of most isometric parameterizations (Hormann and Greiner 2000): psi = |F|^2 / det F = a/b +
+/// b/a, minimum 2 at every similarity. Smith, de Goes, Kim 2019, Eq. 37, prints the scaling eigenpairs with
+/// two errors. Infinite at det F <= 0. Exists in 2D. The twist is never positive, and neither is one scaling
+/// eigenvalue, since the energy is scale-invariant.
 struct Mips2d {
   static constexpr const char* name = "mips_2d";
   static constexpr double minimum_determinant = 0.0;

@@ -4,8 +4,8 @@
 
 namespace isostretch::energies {
 
-// MIPS in 3D, the conformal term of AMIPS (Fu, Liu, Guo 2015): psi = (|F|^2 |F^-1|^2 - 1) / 8
-// = prod (a/b + b/a) / 8, minimum 1 at every similarity. Infinite at det F <= 0.
+/// The MIPS energy in 3D, the conformal term of AMIPS (Fu, Liu, Guo 2015): psi = (|F|^2 |F^-1|^2 - 1) / 8 =
+/// prod (a/b + b/a) / 8, minimum 1 at every similarity. Infinite at det F <= 0. Exists in 3D.
 struct Mips3d {
   static constexpr const char* name = "mips_3d";
   static constexpr double minimum_determinant = 0.0;

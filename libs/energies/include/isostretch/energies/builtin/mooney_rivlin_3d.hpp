@@ -4,16 +4,16 @@
 
 namespace isostretch::energies {
 
-// Mooney-Rivlin: psi = c10 (J^(-2/3) |F|^2 - 3) + c01 (J^(-4/3) |cof F|^2 - 3) + K/2 (J - 1)^2. Infinite at
-// det F <= 0.
+/// The Mooney-Rivlin energy: psi = c10 (J^(-2/3) |F|^2 - 3) + c01 (J^(-4/3) |cof F|^2 - 3) + K/2 (J - 1)^2.
+/// Infinite at det F <= 0. Exists in 3D.
 struct MooneyRivlin3d {
   static constexpr const char* name = "mooney_rivlin_3d";
   static constexpr double minimum_determinant = 0.0;
   static constexpr bool supports(int dim) { return dim == 3; }
 
-  double c10 = 0.5;
-  double c01 = 0.1;
-  double K = 1.0;
+  double c10 = 0.5;  ///< First Mooney-Rivlin coefficient, in the units of psi.
+  double c01 = 0.1;  ///< Second Mooney-Rivlin coefficient, in the units of psi.
+  double K = 1.0;    ///< Volume stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -90,7 +90,7 @@ struct MooneyRivlin3d {
   }
 
  private:
-  // |cof F|^2.
+  /// Returns |cof F|^2.
   template <class T>
   ISOSTRETCH_INLINE static T cofactor_norm(const Stretch<3, T>& s) {
     return square(s[0] * s[1]) + square(s[1] * s[2]) + square(s[2] * s[0]);

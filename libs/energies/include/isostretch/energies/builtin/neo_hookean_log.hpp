@@ -4,14 +4,14 @@
 
 namespace isostretch::energies {
 
-// Logarithmic Neo-Hookean (Bonet & Wood): psi = mu/2 (|F|^2 - dim) - mu log J + lambda/2 log(J)^2. Infinite
-// at det F <= 0. Lame parameters: (mu, lambda).
+/// The logarithmic Neo-Hookean energy (Bonet and Wood): psi = mu/2 (|F|^2 - dim) - mu log J + lambda/2
+/// log(J)^2. Infinite at det F <= 0. The Lame parameters of small strain are (mu, lambda).
 struct NeoHookeanLog {
   static constexpr const char* name = "neo_hookean_log";
   static constexpr double minimum_determinant = 0.0;
 
-  double mu = 1.0;
-  double lambda = 1.0;
+  double mu = 1.0;      ///< Shear modulus, in the units of psi.
+  double lambda = 1.0;  ///< First Lame parameter, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {

@@ -4,14 +4,14 @@
 
 namespace isostretch::energies {
 
-// psi = mu |E|^2 + kappa/2 tr(E)^2, E = (F^T F - I)/2 (Smith et al. 2019, appendix F.3, which prints |E|).
-// Finite under inversion. Every mode can be negative. Lame parameters: (mu, kappa). mu = 4, kappa = 0 is |F^T
-// F - I|^2.
+/// The St. Venant-Kirchhoff energy: psi = mu |E|^2 + kappa/2 tr(E)^2, E = (F^T F - I)/2 (Smith, de Goes, Kim
+/// 2019, appendix F.3, which prints |E|). Finite under inversion. Every mode can be negative. The Lame
+/// parameters of small strain are (mu, kappa). mu = 4, kappa = 0 is |F^T F - I|^2.
 struct StVenantKirchhoff {
   static constexpr const char* name = "st_venant_kirchhoff";
 
-  double mu = 1.0;
-  double kappa = 1.0;
+  double mu = 1.0;     ///< Shear modulus, in the units of psi.
+  double kappa = 1.0;  ///< First Lame parameter, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {

@@ -4,14 +4,15 @@
 
 namespace isostretch::energies {
 
-// psi = mu/2 (|F - R|^2 + |F^-1 - R^-1|^2) = mu/2 sum (sigma - 1)^2 + (1/sigma - 1)^2 (Smith et al. 2019,
-// appendix F.2, where the constant must be + mu dim). Infinite at det F <= 0. Only twists can be negative.
+/// The symmetric ARAP energy: psi = mu/2 (|F - R|^2 + |F^-1 - R^-1|^2) = mu/2 sum (sigma - 1)^2 + (1/sigma -
+/// 1)^2 (Smith, de Goes, Kim 2019, appendix F.2, where the constant must be + mu dim). Infinite at det F <=
+/// 0. Only twists can be negative.
 struct SymmetricArap {
   static constexpr const char* name = "symmetric_arap";
   static constexpr double minimum_determinant = 0.0;
   static constexpr bool decoupled = true;
 
-  double mu = 1.0;
+  double mu = 1.0;  ///< Stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {

@@ -4,16 +4,16 @@
 
 namespace isostretch::energies {
 
-// psi = weight (|F|^2 + |F^-1|^2). weight = 1 is the convention of the parameterization literature, with
-// minimum 2 dim; weight = 1/2 that of Smith et al. 2019, Eqs. 34, 35, whose forms lose every digit of the 3D
-// twist at extreme stretch: the ones here, in sigma, do not. Infinite at det F <= 0. Only twists can be
-// negative.
+/// The symmetric Dirichlet energy: psi = weight (|F|^2 + |F^-1|^2). weight = 1 is the convention of the
+/// parameterization literature, with minimum 2 dim; weight = 1/2 is that of Smith, de Goes, Kim 2019, Eqs.
+/// 34, 35, whose forms lose every digit of the 3D twist at extreme stretch: the ones here, in sigma, do not.
+/// Infinite at det F <= 0. Only twists can be negative.
 struct SymmetricDirichlet {
   static constexpr const char* name = "symmetric_dirichlet";
   static constexpr double minimum_determinant = 0.0;
   static constexpr bool decoupled = true;
 
-  double weight = 1.0;
+  double weight = 1.0;  ///< Factor, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {

@@ -4,8 +4,9 @@
 
 namespace isostretch::energies {
 
-// psi = 1/2 |F|^2 - log J (Stein, Li, Solomon 2022 and others): neo_hookean_log with mu = 1, lambda = 0 up to
-// a constant. Infinite at det F <= 0. Only twists can be negative, where a b < 1.
+/// The symmetric gradient energy: psi = 1/2 |F|^2 - log J (Stein, Li, Solomon 2022 and others), which is
+/// neo_hookean_log with mu = 1, lambda = 0 up to a constant. Infinite at det F <= 0. Only twists can be
+/// negative, where a b < 1.
 struct SymmetricGradient {
   static constexpr const char* name = "symmetric_gradient";
   static constexpr double minimum_determinant = 0.0;

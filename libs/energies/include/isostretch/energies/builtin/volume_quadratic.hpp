@@ -4,11 +4,11 @@
 
 namespace isostretch::energies {
 
-// psi = weight (J - 1)^2, a term to add to others. Finite under inversion.
+/// A quadratic volume term to add to other energies: psi = weight (J - 1)^2. Finite under inversion.
 struct VolumeQuadratic {
   static constexpr const char* name = "volume_quadratic";
 
-  double weight = 1.0;
+  double weight = 1.0;  ///< Stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {

@@ -4,12 +4,13 @@
 
 namespace isostretch::energies {
 
-// psi = weight (J + 1/J - 2) / 2, a term to add to others. Infinite at det F <= 0.
+/// A volume term to add to other energies that treats growing and shrinking alike: psi = weight (J + 1/J - 2)
+/// / 2. Infinite at det F <= 0.
 struct VolumeSymmetric {
   static constexpr const char* name = "volume_symmetric";
   static constexpr double minimum_determinant = 0.0;
 
-  double weight = 1.0;
+  double weight = 1.0;  ///< Stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
