@@ -10,30 +10,37 @@
 
 namespace isostretch::handles {
 
-/// With K_ab = sum over quadrature points of w g_a . g_b and the lumped mass M, in which every element shares
-/// its volume equally among its nodes:
+/// The equation by which displacements extend from given nodes to all others. K_ab = sum over quadrature
+/// points of w g_a . g_b is the Laplacian, and M the lumped mass, in which every element shares its volume
+/// equally among its nodes.
 enum class SpreadKind {
-  harmonic,    ///< K u = 0 at free nodes: no overshoot, kinks at the handles
-  biharmonic,  ///< K M^-1 K u = 0: smooth at the handles, may overshoot
+  harmonic,    ///< Solves K u = 0 at free nodes: no overshoot, kinks at the handles.
+  biharmonic,  ///< Solves K M^-1 K u = 0: smooth at the handles, may overshoot.
 };
 
-/// Solver options that factorise whatever it takes, as long as it fits into memory.
+/// Returns solver options that factorise whatever it takes, as long as it fits into memory.
 sparse::Options factorizing();
 
-/// Spreads displacements given at some nodes to all others, for any dimension and element. The system is
-/// factorised once. A component without a given node, and a node of no element, stays where it is.
+/// The harmonic or biharmonic extension of displacements given at some nodes to all others, for any dimension
+/// and element. The system is factorised once. A component without a given node, and a node of no element,
+/// stays where it is.
 class Spreader {
+  /// Factorises the system for displacements given at the nodes `given`. Throws Error when the elements are
+  /// malformed, a node is out of range, or the system cannot be factorised.
  public:
   /// Throws Error when the elements are malformed, a node is out of range, or the system cannot be
   /// factorised.
   Spreader(const assembly::Elements& elements, const std::vector<int>& given, SpreadKind kind,
            const sparse::Options& solver = factorizing());
   ~Spreader();
+  /// Takes over the other extension, which is left to be destroyed or assigned to.
   Spreader(Spreader&&) noexcept;
+  /// Takes over the other extension, which is left to be destroyed or assigned to.
   Spreader& operator=(Spreader&&) noexcept;
 
-  /// `displacement` has dim entries a node, of which those of given nodes are read; these come out unchanged.
-  /// Throws Error for a wrong size and when the linear solver fails.
+  /// Returns displacements at all nodes. `displacement` has dim entries per node, of which those of given
+  /// nodes are read; these come out unchanged. Throws Error for a wrong size and when the linear solver
+  /// fails.
   Vector spread(const Vector& displacement) const;
 
  private:

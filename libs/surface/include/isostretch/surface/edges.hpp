@@ -9,8 +9,8 @@ namespace isostretch::mesh {
 
 /// The edges of triangles by their vertices, the smaller first, each once.
 struct Edges {
-  /// Edges of several triangles (inner), of one triangle (boundary).
-  std::vector<std::array<int, 2>> inner, boundary;
+  /// Edges of several triangles.
+  std::vector<std::array<int, 2>> inner, boundary;  ///< Edges of one triangle.
 };
 
 /// Returns the edges of triangles.

@@ -9,8 +9,8 @@ namespace isostretch::mesh {
 
 /// An edge by its vertices, the smaller first.
 struct Edge {
-  /// A vertex of the edge.
-  int low = 0, high = 0;
+  /// The smaller vertex.
+  int low = 0, high = 0;  ///< The larger vertex.
   /// Compares by the smaller vertex first.
   friend auto operator<=>(const Edge&, const Edge&) = default;
 };

@@ -8,8 +8,8 @@ namespace isostretch::mesh {
 
 /// A side of a triangle: from corner `corner` of it to the next.
 struct Side {
-  /// A vertex of the edge, low < high.
-  int low, high;
+  /// The smaller vertex of the edge.
+  int low, high;  ///< The larger vertex of the edge.
   int triangle;   ///< Index of the triangle.
   int corner;     ///< Local corner where the side begins.
   bool reversed;  ///< Whether the triangle runs from high to low.
