@@ -71,7 +71,7 @@ class StopSource {
   }
 
  private:
-  static_assert(std::atomic<bool>::is_always_lock_free);  ///< which signal handlers need
+  static_assert(std::atomic<bool>::is_always_lock_free);  // which signal handlers need
   std::shared_ptr<std::atomic<bool>> request_;
 };
 

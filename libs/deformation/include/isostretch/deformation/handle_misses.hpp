@@ -14,8 +14,7 @@ struct HandleMiss {
   bool soft = false;      ///< Whether the handle is soft.
   std::size_t nodes = 0;  ///< Number of its nodes.
   /// Size of the handle at its targets: twice the largest distance from the mean; 0 for one node.
-  double size =
-      0;  ///< of the handle where it is to be: twice the largest distance from the mean; 0: one node
+  double size = 0;
   double size_reached = 0;  ///< Size of the handle where its nodes are.
   double mean = 0;          ///< Mean distance of a node from its target.
   double largest = 0;       ///< Largest distance of a node from its target.

@@ -24,7 +24,6 @@ class ExtrapolatedStart {
 
   /// Adds a frame that was solved and settled, at time t.
   void add(double t, const Vector& settled);
-  /// The energy must be set to t.
   /// Returns the guess of least energy at time t, to which the energy must be set.
   FrameStart start(double t, ShapeEnergy& energy) const;
 

@@ -30,7 +30,6 @@ inline constexpr ChoiceNames<InitialGuess, 4> initial_guess_names{{{"rest", Init
 /// A function that takes warnings for the user.
 using Warn = std::function<void(const std::string&)>;
 
-/// Starts of minimisations; hard handles are in their places to the bit.
 /// A maker of initial guesses, with hard handles in their places to the bit.
 class Predictor {
  public:

@@ -14,7 +14,6 @@ namespace isostretch::deformation {
 /// the two given.
 void require_least_at_rest(const energies::AnyEnergy& energy, int dim);
 
-/// (1 - t) psi_1 + t psi_2, where each pose is the rest shape of one.
 /// The energy (1 - t) psi_1 + t psi_2 of an interpolation, where each key shape is the rest shape of one.
 class ShapeEnergy {
  public:

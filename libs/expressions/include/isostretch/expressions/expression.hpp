@@ -31,7 +31,6 @@ inline constexpr int max_depth = 250;
 /// The greatest number of operations of an expression with its derivatives.
 inline constexpr std::size_t max_nodes = 20000;
 
-/// Whether a text is more than a name: what a user who could have named an energy wrote as a formula.
 /// Returns whether the text is more than a name: a formula, written where a user could have named an energy.
 bool is_expression(std::string_view text);
 

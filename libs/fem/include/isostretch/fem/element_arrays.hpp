@@ -15,8 +15,7 @@ struct ElementArrays {
   int node_count = 0;          ///< Nodes of the mesh.
   std::vector<int> nodes;      ///< Indices of nodes, [element][node].
   /// Rest gradients of the shape functions, [element][point][node][dim], in 1 / length.
-  std::vector<double>
-      gradients;  ///< [element][point][node][dim]: rest gradients of the hat functions, 1 / length
+  std::vector<double> gradients;
   std::vector<double> weights;  ///< Rest areas or volumes, [element][point], positive.
 
   /// Returns the number of elements.

@@ -23,8 +23,7 @@ struct Solution {
 
   mesh::Points2 uv;  ///< V x 2, in the solver's units, charts where they were solved.
   /// Singular values of every triangle's map, largest first; the last may be negative.
-  std::vector<double>
-      stretches;  ///< singular values of every triangle's map, largest first; the last may be < 0
+  std::vector<double> stretches;
   double soft_pin_energy = 0;   ///< Part of the energy that is that of soft pins.
   Pins pins;                    ///< Pins on vertices of the opened mesh.
   int cuts = 0;                 ///< Cuts that were made to meet a bound on the distortion.

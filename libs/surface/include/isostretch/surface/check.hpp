@@ -39,7 +39,7 @@ std::string_view kind_name(Kind kind) noexcept;
 
 /// A defect of a mesh, with the elements and vertices concerned.
 struct Finding {
-  Kind kind;                  ///< What is wrong.
+  Kind kind;                  ///< The kind of defect.
   std::vector<int> elements;  ///< Triangles or tetrahedra concerned.
   std::vector<int> vertices;  ///< Vertices concerned.
   std::string text;           ///< A sentence that names them, without the final stop.

@@ -49,7 +49,7 @@ struct Chart {
 
 /// A surface cut to charts, and the way back to the input.
 struct Cut {
-  SurfaceMesh mesh;                  ///< The same triangles in the same order; uv is kept.
+  SurfaceMesh mesh;                  ///< The triangles of the input in their order; uv is kept.
   std::vector<int> original_vertex;  ///< Vertex of the input of every vertex of the cut mesh.
   std::vector<int> chart;            ///< Chart of every triangle.
   std::vector<Chart> charts;         ///< In the order of their first triangles.
@@ -121,8 +121,7 @@ class Encloser {
 /// The way back from a cut whose charts were divided.
 struct Division {
   /// Vertex before of every vertex of the new cut mesh, by which values are carried over.
-  std::vector<int>
-      previous_vertex;  ///< vertex of the new cut mesh -> vertex before, by which values are carried
+  std::vector<int> previous_vertex;
   std::vector<int> previous_chart;  ///< Chart that every chart was part of.
 };
 

@@ -41,8 +41,7 @@ struct EnergyCheckOptions {
   unsigned seed = 1;            ///< Seed of the random samples.
   double psi_tolerance = 1e-9;  ///< Tolerance of psi, relative to |psi| + |gradient| |F| + |A| |F|^2.
   /// Tolerance of the closed form against automatic differentiation, relative to the norm.
-  double derivative_tolerance =
-      1e-9;  ///< closed form against automatic differentiation, relative to the norm
+  double derivative_tolerance = 1e-9;
   double difference_tolerance = 1e-6;  ///< Tolerance against finite differences in double.
 };
 
