@@ -74,7 +74,8 @@ struct StableNeoHookeanLog {
     }
   }
 
-  /// Returns the determinant alpha = 1 + mu/lambda dim/(dim + 1), with which the rest state is free of stress.
+  /// Returns the determinant alpha = 1 + mu/lambda dim/(dim + 1), with which the rest state is free of
+  /// stress.
   template <int Dim>
   double alpha() const {
     return 1.0 + mu / lambda * Dim / (Dim + 1);
