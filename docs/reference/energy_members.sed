@@ -7,9 +7,9 @@ s|^  static constexpr bool supports|  /** Returns whether the energy exists in d
 /^  template </{
   N
   s|^.*\n.* T psi(const Invariants|  /** Returns the energy density at invariants of the stretch. */&|
-  s|^.*\n.* T psi(const Stretch|  /** Returns the energy density at signed singular values. */&|
+  s|^.*\n.* T psi(const PrincipalStretches|  /** Returns the energy density at signed singular values. */&|
   s|^.*\n.* partials(const Invariants|  /** Returns the energy density and its derivatives over the invariants. */&|
-  s|^.*\n.* derivatives(const Stretch|  /** Computes the energy density and its derivatives at signed singular values. */&|
+  s|^.*\n.* derivatives(const PrincipalStretches|  /** Computes the energy density and its derivatives at signed singular values. */&|
   s|^.*\n.* parameters(Visitor|  /** Calls visit("name", member, "description") for each parameter. */&|
   s|^.*\n.* require_parameters(Require|  /** Calls require("name", condition, "must ...") for each rule of the parameters. */&|
 }

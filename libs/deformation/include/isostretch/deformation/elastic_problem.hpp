@@ -38,7 +38,7 @@ class ElasticProblem {
   /// Moves the targets of soft handles to where they are at that time.
   void set_time(double time);
   /// Returns whether the energy is finite.
-  bool admissible(const Vector& positions);
+  bool feasible(const Vector& positions);
   /// Returns the energy of the soft handles alone.
   double soft_energy(const Vector& positions);
 

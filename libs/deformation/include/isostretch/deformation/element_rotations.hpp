@@ -20,8 +20,8 @@ class ElementRotations {
   ElementRotations(const ManipulationOptions& options, const SolidModel& body, const HandleSet& handle_set,
                    const std::filesystem::path& cache = {}, const Monitor& monitor = {});
 
-  /// Returns the ex-rotations at a time, [element][dim * dim], row by row. Components without a handle have
-  /// the identity. Throws Error naming the element where the handles' rotations cancel each other.
+  /// Returns the ex-rotations at a time, [element][dim * dim], column by column. Components without a handle
+  /// have the identity. Throws Error naming the element where the handles' rotations cancel each other.
   std::vector<double> at(double time) const;
 
   /// Returns the weights of the handles; none where nothing is blended.

@@ -31,7 +31,7 @@ class Interpolation {
  public:
   /// Prepares the frames. Throws Error unless both shapes belong together, see require_pair(), and the energy
   /// has its least value at rest, and OptionError without frames.
-  Interpolation(const InterpolationOptions& options, const KeyShapes& poses,
+  Interpolation(const InterpolationOptions& options, const KeyShapes& key_shapes,
                 const energies::AnyEnergy& energy, const Monitor& monitor = {});
 
   /// Makes the next frame. A request to stop and the limit of time end it after an iteration.
@@ -43,7 +43,7 @@ class Interpolation {
   Vector placed(const InterpolationFrame& frame) const;
 
  private:
-  InterpolationFrame pose(Vector settled);
+  InterpolationFrame key_frame(Vector settled);
   InterpolationFrame solved();
   newton::Summary minimize(Vector& positions);
   void measure(InterpolationFrame& frame);

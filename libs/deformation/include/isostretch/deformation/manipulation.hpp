@@ -17,7 +17,7 @@ struct ManipulationFrame {
   double time = 0;                 ///< Time in the script.
   sdp_penalty::Summary summary;    ///< Summary of the solve.
   std::string trouble = {};        ///< Reason why there are no positions; empty where there are.
-  std::vector<double> given = {};  ///< Ex-rotations of the elements, [element][dim * dim], row by row.
+  std::vector<double> given = {};  ///< Ex-rotations of the elements, [element][dim * dim], column by column.
   /// Ex-rotations of the last round where it was re-linearised, else the given ones.
   std::vector<double> rotations = {};
   Vector positions = {};  ///< Positions, dim entries per node.

@@ -3,7 +3,7 @@
 #include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/deformation/handle_set.hpp>
-#include <isostretch/handles/spread.hpp>
+#include <isostretch/handles/extension.hpp>
 
 #include <functional>
 #include <optional>
@@ -44,26 +44,26 @@ class Predictor {
   Vector guess(const Vector& positions, double from, double to, bool again);
 
  private:
-  /// A way to extend displacements to all nodes.
-  struct Way {
+  /// A method of extending displacements to all nodes.
+  struct Method {
     std::string name;
-    handles::SpreadKind kind;
+    handles::ExtensionKind kind;
     sparse::Options solver;
-    std::optional<handles::Spreader> spreader = {};
+    std::optional<handles::Extension> extension = {};
     bool hopeless = false, warned = false;
   };
 
-  void choose_ways();
-  bool prepare(std::size_t way);
-  Vector spread(const Vector& displacement);
-  void warn_of(std::size_t way, const std::string& what);
+  void choose_methods();
+  bool prepare(std::size_t method);
+  Vector extend(const Vector& displacement);
+  void warn_of(std::size_t method, const std::string& what);
 
   const SolidModel& body_;
   const HandleSet& handle_set_;
   InitialGuess kind_;
   Vector rest_;
   Warn warn_;
-  std::vector<Way> ways_;  ///< The best first.
+  std::vector<Method> methods_;  ///< The best first.
 };
 
 }  // namespace isostretch::deformation

@@ -16,7 +16,7 @@ namespace isostretch::deformation {
 class RigidPlacement {
  public:
   /// Finds the components of the mesh and the centroids of both shapes.
-  explicit RigidPlacement(const KeyShapes& poses);
+  explicit RigidPlacement(const KeyShapes& key_shapes);
 
   /// Returns the positions of the first key shape.
   const Vector& first() const { return first_; }
@@ -27,9 +27,9 @@ class RigidPlacement {
   Vector second_near(const Vector& shape) const { return settled(second_, shape); }
 
   /// Returns how each component must turn from the last frame that is settled to the second key shape.
-  std::vector<Rotation> turns(const Vector& last) const;
+  std::vector<Rotation> rotations_to_second(const Vector& last) const;
   /// Returns a settled frame in its place between the key shapes; at t = 0 and 1, the key shapes themselves.
-  Vector placed(double t, const Vector& settled, const std::vector<Rotation>& turns) const;
+  Vector placed(double t, const Vector& settled, const std::vector<Rotation>& rotations) const;
 
   /// Returns the weighted root mean square of the distances of the nodes.
   double distance(const Vector& a, const Vector& b) const;
@@ -42,7 +42,7 @@ class RigidPlacement {
     double share = 0;  ///< Share of all weight.
     Place from, to;    ///< Centroids in the key shapes.
   };
-  void find_components(const KeyShapes& poses);
+  void find_components(const KeyShapes& key_shapes);
 
   int dim_;
   Vector first_, second_;

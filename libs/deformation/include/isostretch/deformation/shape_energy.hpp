@@ -18,7 +18,7 @@ void require_least_at_rest(const energies::AnyEnergy& energy, int dim);
 class ShapeEnergy {
  public:
   /// Makes the terms of both energies. Nodes in `held` belong to no element and stay.
-  ShapeEnergy(const KeyShapes& poses, const energies::AnyEnergy& energy, const std::vector<int>& held);
+  ShapeEnergy(const KeyShapes& key_shapes, const energies::AnyEnergy& energy, const std::vector<int>& held);
 
   /// Returns the objective, over dim entries per node.
   newton::Objective& objective() { return objective_; }

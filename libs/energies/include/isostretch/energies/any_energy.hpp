@@ -151,7 +151,8 @@ inline namespace ISOSTRETCH_ISA {
 /// Returns psi and its derivatives at one stretch. Throws Error where the energy does not exist in this
 /// dimension or is infinite.
 template <int Dim>
-StretchDerivatives<Dim, double> derivatives_at(const AnyEnergy& energy, const Stretch<Dim, double>& s) {
+StretchDerivatives<Dim, double> derivatives_at(const AnyEnergy& energy,
+                                               const PrincipalStretches<Dim, double>& s) {
   if (!energy.supports(Dim))
     throw Error("energy '" + energy.name() + "' does not exist in " + std::to_string(Dim) + "D");
   constexpr int points = 8, pairs = invariants::pair_count<Dim>;  // the least that every kernel takes

@@ -4,12 +4,12 @@
 //
 // An energy is a struct with a `name` and one of
 //   template <int Dim, class T> T psi(const Invariants<Dim, T>& I) const;
-//   template <int Dim, class T> T psi(const Stretch<Dim, T>& s) const;
+//   template <int Dim, class T> T psi(const PrincipalStretches<Dim, T>& s) const;
 // each of which is enough by itself, since jets derive the rest (and so is an operator(),
 // function_energy.hpp). Instead of the jets it may give one of
 //   template <int Dim, class T> Partials<T> partials(const Invariants<Dim, T>& I) const;
-//   template <int Dim, class T> void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>&)
-//   const;
+//   template <int Dim, class T> void derivatives(const PrincipalStretches<Dim, T>& s, StretchDerivatives<Dim,
+//   T>&) const;
 // Forms in sigma are fastest, and accurate at any stretch. Further members that it may have:
 //   static constexpr double minimum_determinant;    // a barrier: psi = +infinity at det F <= this
 //   double determinant_bound() const;               // the same where it depends on a parameter
@@ -57,7 +57,7 @@ inline namespace ISOSTRETCH_ISA {
 
 /// Returns psi at a stretch, from whichever form the energy gives.
 template <int Dim, class T, class Energy>
-ISOSTRETCH_INLINE T evaluate_psi(const Energy& energy, const Stretch<Dim, T>& s) {
+ISOSTRETCH_INLINE T evaluate_psi(const Energy& energy, const PrincipalStretches<Dim, T>& s) {
   if constexpr (requires { energy.psi(s); }) {
     return energy.psi(s);
   } else {
@@ -68,7 +68,7 @@ ISOSTRETCH_INLINE T evaluate_psi(const Energy& energy, const Stretch<Dim, T>& s)
 /// Computes psi and its derivatives at a stretch: by the energy's own derivatives(), its partials(), or jets
 /// over psi.
 template <int Dim, class T, class Energy>
-ISOSTRETCH_INLINE void evaluate_derivatives(const Energy& energy, const Stretch<Dim, T>& s,
+ISOSTRETCH_INLINE void evaluate_derivatives(const Energy& energy, const PrincipalStretches<Dim, T>& s,
                                             StretchDerivatives<Dim, T>& d) {
   if constexpr (requires { energy.derivatives(s, d); }) {
     energy.derivatives(s, d);
@@ -92,7 +92,7 @@ inline constexpr bool has_barrier = requires(const Energy& e) {
 };
 
 template <int Dim, class Energy>
-ISOSTRETCH_INLINE Pack guarded(const Energy& energy, const Stretch<Dim, Pack>& s, Pack psi) {
+ISOSTRETCH_INLINE Pack guarded(const Energy& energy, const PrincipalStretches<Dim, Pack>& s, Pack psi) {
   if constexpr (has_barrier<Energy>) {
     const Pack infinity(__builtin_inf());
     // Not (J > bound), so that NaN counts as outside; an overflow inside the domain is infinite as well.

@@ -9,15 +9,15 @@ namespace isostretch::energies {
 using invariants::first;
 using invariants::Invariants;
 using invariants::Partials;
+using invariants::PrincipalStretches;
 using invariants::second;
-using invariants::Stretch;
 using invariants::StretchDerivatives;
 
 inline namespace ISOSTRETCH_ISA {
 
 /// Returns log J as a sum of logarithms, since the product could overflow.
 template <int Dim, class T>
-ISOSTRETCH_INLINE T log_determinant(const Stretch<Dim, T>& s) {
+ISOSTRETCH_INLINE T log_determinant(const PrincipalStretches<Dim, T>& s) {
   T sum = log(s[0]);
   for (int i = 1; i < Dim; ++i) sum = sum + log(s[i]);
   return sum;
@@ -25,7 +25,7 @@ ISOSTRETCH_INLINE T log_determinant(const Stretch<Dim, T>& s) {
 
 /// Returns J^(-2/dim).
 template <int Dim, class T>
-ISOSTRETCH_INLINE T isochoric_factor(const Stretch<Dim, T>& s) {
+ISOSTRETCH_INLINE T isochoric_factor(const PrincipalStretches<Dim, T>& s) {
   if constexpr (Dim == 2) {
     return 1.0 / s.J();
   } else {
@@ -43,7 +43,7 @@ struct CubeRoots {
   T gap[3];     ///< sigma_j^(2/3) - sigma_k^(2/3) of pair i.
 
   /// Takes the roots of the stretches.
-  ISOSTRETCH_INLINE explicit CubeRoots(const Stretch<3, T>& s) {
+  ISOSTRETCH_INLINE explicit CubeRoots(const PrincipalStretches<3, T>& s) {
     for (int i = 0; i < 3; ++i) root[i] = cbrt(s[i]), square[i] = root[i] * root[i];
     for (int i = 0; i < 3; ++i) {
       const int j = first<3>(i), k = second<3>(i);
@@ -74,7 +74,7 @@ struct CubeRoots {
 /// Returns |F|^2 J^(-2/dim) - dim of positive stretches, without the cancellation of that difference near a
 /// similarity.
 template <int Dim, class T>
-ISOSTRETCH_INLINE T isochoric_excess(const Stretch<Dim, T>& s) {
+ISOSTRETCH_INLINE T isochoric_excess(const PrincipalStretches<Dim, T>& s) {
   if constexpr (Dim == 2) {
     return square(s[0] - s[1]) / s.J();
   } else {
@@ -105,7 +105,8 @@ ISOSTRETCH_INLINE void scale_derivatives(double factor, StretchDerivatives<Dim, 
 
 /// Adds the derivatives of a term w(J), given w1 = w'(J) and w2 = w''(J); psi is left to the caller.
 template <int Dim, class T>
-ISOSTRETCH_INLINE void add_volumetric(const Stretch<Dim, T>& s, T w1, T w2, StretchDerivatives<Dim, T>& d) {
+ISOSTRETCH_INLINE void add_volumetric(const PrincipalStretches<Dim, T>& s, T w1, T w2,
+                                      StretchDerivatives<Dim, T>& d) {
   for (int i = 0; i < Dim; ++i) {
     const T g = s.others(i);
     d.gradient[i] = fma(w1, g, d.gradient[i]);
@@ -122,7 +123,7 @@ ISOSTRETCH_INLINE void add_volumetric(const Stretch<Dim, T>& s, T w1, T w2, Stre
 /// Computes the derivatives of h(y) + K/2 (J - 1)^2 with y = |F|^2 J^(-2/dim), given h1 = h'(y) and h2 =
 /// h''(y).
 template <int Dim, class T>
-ISOSTRETCH_INLINE void isochoric_derivatives(const Stretch<Dim, T>& s, T h1, T h2, double K,
+ISOSTRETCH_INLINE void isochoric_derivatives(const PrincipalStretches<Dim, T>& s, T h1, T h2, double K,
                                              StretchDerivatives<Dim, T>& d) {
   constexpr double p = 2.0 / Dim;
   const T v = isochoric_factor(s), I2 = s.I2();

@@ -32,7 +32,7 @@ template <class Energy, int Dim>
 concept HasPsi = requires(const Energy& energy, invariants::Invariants<Dim, double> I) {
   energy.psi(I);
 }
-|| requires(const Energy& energy, invariants::Stretch<Dim, double> s) {
+|| requires(const Energy& energy, invariants::PrincipalStretches<Dim, double> s) {
   energy.psi(s);
 };
 /// An energy that is callable with two numbers.
@@ -69,7 +69,7 @@ struct FunctionAsPsi : Energy {
   requires(!takes_stretches) ISOSTRETCH_INLINE T psi(const invariants::Invariants<Dim, T>& I)
   const { return (*this)(I.I1, I.I2, I.I3); }
   template <int Dim, class T>
-  requires takes_stretches ISOSTRETCH_INLINE T psi(const invariants::Stretch<Dim, T>& s)
+  requires takes_stretches ISOSTRETCH_INLINE T psi(const invariants::PrincipalStretches<Dim, T>& s)
   const {
     if constexpr (Dim == 2)
       return (*this)(s[0], s[1]);

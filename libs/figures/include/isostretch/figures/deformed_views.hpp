@@ -25,8 +25,8 @@ class DeformedViews {
   void draw(Canvas& canvas, std::size_t state, Point corner, int height, const DistortionScale& scale) const;
 
  private:
-  struct Kept;
-  std::unique_ptr<Kept> kept_;
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
   int width_;
   double scale_ = 1, height_ = 0;
 };

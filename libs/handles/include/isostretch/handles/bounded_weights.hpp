@@ -1,7 +1,7 @@
 #pragma once
 
 #include <isostretch/assembly/elements.hpp>
-#include <isostretch/handles/spread.hpp>
+#include <isostretch/handles/extension.hpp>
 #include <isostretch/sparse/options.hpp>
 
 #include <vector>

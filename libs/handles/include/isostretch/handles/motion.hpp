@@ -23,8 +23,8 @@ struct Keyframe {
   Transform transform;  ///< Transform from the rest position.
 };
 
-/// A rotation about an axis that counts full turns.
-struct Turn {
+/// A rotation about an axis that counts full axis_angles.
+struct AxisAngle {
   Point axis = Point::UnitZ();  ///< Axis of rotation, of any length but zero; ignored in 2D.
   double degrees = 0;           ///< Angle of rotation; more than a full turn counts.
 };
@@ -41,8 +41,8 @@ struct Placement {
 
 /// The motion of a handle by keyframes. Between them translation and scale are linear in time, and so is the
 /// angle as long as the axis stays (opposite axes are the same axis). Where the axis changes, the rotation
-/// goes the shortest way on the great arc (slerp), and full turns do not count. Before the first and after
-/// the last keyframe the handle rests.
+/// goes the shortest way on the great arc (slerp), and full axis_angles do not count. Before the first and
+/// after the last keyframe the handle rests.
 class Motion {
  public:
   /// Makes a motion about a centre. Throws Error, beginning with `name`, without keyframes, for times that do
@@ -55,7 +55,7 @@ class Motion {
   /// Returns the rotation of at(time), with its full turns where the axis stays; between keyframes whose axes
   /// differ, by 180 degrees at most. The axis has length one, and is z rather than -z, so that degrees count
   /// counter-clockwise in 2D.
-  Turn turn(double time) const;
+  AxisAngle axis_angle(double time) const;
 
   /// Returns the keyframes.
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }

@@ -10,7 +10,8 @@ namespace isostretch::handles {
 
 /// The ways of mixing rotations by weights that sum to 1.
 enum class RotationBlend {
-  /// The weighted sum of angles, full turns included. In 3D all rotations must have one axis up to its sign;
+  /// The weighted sum of angles, full axis_angles included. In 3D all rotations must have one axis up to its
+  /// sign;
   /// those by 0 degrees have any.
   angle,
   /// The normalised weighted sum of unit quaternions (complex numbers of half the angle in 2D), as they come:
@@ -20,7 +21,8 @@ enum class RotationBlend {
   /// are turned to its side. A rotation by 270 degrees beside one by 0 becomes one by -90. It is always the
   /// same handle, so that neighbouring elements agree.
   aligned_quaternion,
-  /// The exponential of the weighted sum of axis * angle, full turns included; `angle` where the axis is
+  /// The exponential of the weighted sum of axis * angle, full axis_angles included; `angle` where the axis
+  /// is
   /// common.
   rotation_vector,
 };
@@ -29,10 +31,10 @@ enum class RotationBlend {
 RotationBlend default_blend(int dim);
 
 /// Returns one rotation for every element, dim x dim column by column, of determinant 1, by the mean of the
-/// weights of its nodes. `turns` has a rotation per handle. Throws Error for elements that are invalid, sizes
-/// that do not fit, a rotation that is not finite or, in 3D, whose axis has length zero, axes that differ
-/// (with RotationBlend::angle), and an element whose quaternions cancel to a sum shorter than 1e-8.
+/// weights of its nodes. `axis_angles` has a rotation per handle. Throws Error for elements that are invalid,
+/// sizes that do not fit, a rotation that is not finite or, in 3D, whose axis has length zero, axes that
+/// differ (with RotationBlend::angle), and an element whose quaternions cancel to a sum shorter than 1e-8.
 std::vector<double> blended_rotations(const assembly::Elements& elements, const HandleWeights& weights,
-                                      const std::vector<Turn>& turns, RotationBlend blend);
+                                      const std::vector<AxisAngle>& axis_angles, RotationBlend blend);
 
 }  // namespace isostretch::handles

@@ -50,8 +50,8 @@ struct Modes {
   MatrixD<Dim> rotation() const { return svd.U * svd.V.transpose(); }
 
   /// Returns the signed singular values.
-  Stretch<Dim, double> stretch() const {
-    Stretch<Dim, double> s;
+  PrincipalStretches<Dim, double> stretch() const {
+    PrincipalStretches<Dim, double> s;
     for (int i = 0; i < Dim; ++i) s.sigma[i] = svd.sigma[i];
     return s;
   }
@@ -103,7 +103,7 @@ MatrixD<Dim> gradient_I3(const MatrixD<Dim>& F) {
 
 /// Returns the rotation gradient d vec(R) / d vec(F), which is also the Hessian of I1: eigenvalue 2 /
 /// (sigma_j + sigma_k) on each twist, zero elsewhere (Smith, de Goes, Kim 2019, Eqs. 10-13). Bounded as
-/// Stretch::safe_sum says where R is not unique.
+/// PrincipalStretches::safe_sum says where R is not unique.
 template <int Dim>
 MatrixD2<Dim> rotation_gradient(const MatrixD<Dim>& F) {
   const Modes<Dim> modes(F);

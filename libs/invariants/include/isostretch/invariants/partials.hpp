@@ -44,7 +44,7 @@ ISOSTRETCH_INLINE Partials<T> partials_by_jets(const Energy& energy, const Invar
 /// sigma_k) + 2 P2 + sigma_i P3, flip_i = 2 P2 - sigma_i P3 (Smith, de Goes, Kim 2019, Eqs. 22, 23 and
 /// section 5.3).
 template <int Dim, class T>
-ISOSTRETCH_INLINE void derivatives_from_partials(const Stretch<Dim, T>& s, const Partials<T>& p,
+ISOSTRETCH_INLINE void derivatives_from_partials(const PrincipalStretches<Dim, T>& s, const Partials<T>& p,
                                                  StretchDerivatives<Dim, T>& d) {
   const T two(2.0), four(4.0);
   d.psi = p.psi;

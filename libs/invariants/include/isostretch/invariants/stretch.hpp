@@ -39,7 +39,7 @@ ISOSTRETCH_INLINE constexpr int second(int pair) {
 /// The signed singular values of a deformation gradient, as linalg::signed_svd gives them: sigma_0 >= ... >=
 /// |sigma_last|.
 template <int Dim, class T>
-struct Stretch {
+struct PrincipalStretches {
   static constexpr int dim = Dim;
   static constexpr int pairs = pair_count<Dim>;
   T sigma[Dim];
@@ -128,6 +128,10 @@ struct Stretch {
   static constexpr double sum_floor = 1e-12;  ///< The least sum of a pair, relative to the largest sigma.
   static constexpr double sum_floor_absolute = 1e-100;  ///< The least sum of a pair.
 };
+
+/// The former name of PrincipalStretches, which code outside these libraries may have.
+template <int Dim, class T>
+using Stretch = PrincipalStretches<Dim, T>;
 
 /// The value and the derivatives of an energy at one stretch, in the frame of the singular vectors: all that
 /// the pipeline needs. With A the Hessian of psi as a function of sigma, the Hessian over F is (Smith, de

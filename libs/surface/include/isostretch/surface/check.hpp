@@ -10,7 +10,7 @@
 namespace isostretch::mesh {
 
 /// The defects that check() looks for in a mesh.
-enum class Kind {
+enum class DefectKind {
   /// An index is out of range.
   index_out_of_range,
   not_finite,           ///< A coordinate is NaN or infinite.
@@ -32,14 +32,14 @@ enum class Kind {
   several_components
 };
 /// The number of kinds of defects.
-inline constexpr int kind_count = 14;
+inline constexpr int defect_kind_count = 14;
 
 /// Returns the name of the enumerator, such as "zero_size".
-std::string_view kind_name(Kind kind) noexcept;
+std::string_view defect_kind_name(DefectKind kind) noexcept;
 
 /// A defect of a mesh, with the elements and vertices concerned.
-struct Finding {
-  Kind kind;                  ///< The kind of defect.
+struct Defect {
+  DefectKind kind;            ///< The kind of defect.
   std::vector<int> elements;  ///< Triangles or tetrahedra concerned.
   std::vector<int> vertices;  ///< Vertices concerned.
   std::string text;           ///< A sentence that names them, without the final stop.
@@ -58,9 +58,9 @@ struct ComponentFacts {
 };
 
 /// The defects and the topology of a mesh.
-struct Report {
-  std::vector<Finding> findings;  ///< At most max_per_kind of each kind, in the order of the enumeration.
-  std::array<long, kind_count> counts = {};  ///< Number of defects of each kind, listed or not.
+struct MeshDiagnostics {
+  std::vector<Defect> defects;  ///< At most max_per_kind of each kind, in the order of the enumeration.
+  std::array<long, defect_kind_count> counts = {};  ///< Number of defects of each kind, listed or not.
   /// Whether all indices are in range; if not, only indices were looked at, and the numbers below are 0.
   bool indices_valid = true;
 
@@ -76,21 +76,21 @@ struct Report {
   /// Returns whether nothing was found but duplicate vertices, which are no fault.
   bool clean() const;
   /// Returns the number of defects of a kind, listed or not.
-  long count(Kind kind) const { return counts[static_cast<std::size_t>(kind)]; }
+  long count(DefectKind kind) const { return counts[static_cast<std::size_t>(kind)]; }
   /// Returns the first defect of a kind that is listed, or null.
-  const Finding* find(Kind kind) const;
+  const Defect* find(DefectKind kind) const;
 };
 
 /// Returns the numbers, a line for each component, and the defects by kind with the elements that they name;
 /// ends with a newline. Of many components the first are listed.
-std::string to_text(const Report& report);
+std::string to_text(const MeshDiagnostics& diagnostics);
 
 /// Returns the defects and the topology of a triangle mesh, with at most max_per_kind defects listed of each
 /// kind. Throws nothing, whatever the mesh.
-Report check(const SurfaceMesh& mesh, int max_per_kind = 20);
+MeshDiagnostics check(const SurfaceMesh& mesh, int max_per_kind = 20);
 /// Returns the defects of a tetrahedral mesh, with at most max_per_kind listed of each kind. Kinds that name
 /// triangles or edges do not occur. Throws nothing, whatever the mesh.
-Report check(const TetMesh& mesh, int max_per_kind = 20);
+MeshDiagnostics check(const TetMesh& mesh, int max_per_kind = 20);
 
 /// Throws Error unless the mesh is a topological disk, saying why it is not and naming the element at fault:
 /// no boundary, several boundary loops, genus, several components, or any defect except zero_size and
@@ -98,6 +98,6 @@ Report check(const TetMesh& mesh, int max_per_kind = 20);
 void require_disk(const SurfaceMesh& mesh);
 /// Throws Error unless the mesh that was checked is a topological disk, saying why it is not and naming the
 /// element at fault.
-void require_disk(const Report& report);
+void require_disk(const MeshDiagnostics& diagnostics);
 
 }  // namespace isostretch::mesh

@@ -52,7 +52,7 @@ class EnergyChecker {
  public:
   using Matrix = Eigen::Matrix<double, Dim, Dim>;
   using Vector = Eigen::Matrix<double, Dim * Dim, 1>;
-  using Stretch = invariants::Stretch<Dim, double>;
+  using PrincipalStretches = invariants::PrincipalStretches<Dim, double>;
   using Derivatives = invariants::StretchDerivatives<Dim, double>;
 
   EnergyChecker(const Energy& energy, const EnergyCheckOptions& options, EnergyReport& report)
@@ -71,13 +71,13 @@ class EnergyChecker {
   static constexpr bool from_invariants = requires(const Energy& e, invariants::Invariants<Dim, double> I) {
     e.psi(I);
   };
-  static constexpr bool from_stretch = requires(const Energy& e, Stretch s) { e.psi(s); };
+  static constexpr bool from_stretch = requires(const Energy& e, PrincipalStretches s) { e.psi(s); };
 
   double psi(const Matrix& F) const {
     return energies::evaluate_psi(energy_, invariants::Modes<Dim>(F).stretch());
   }
 
-  Derivatives derivatives(const Stretch& s) const {
+  Derivatives derivatives(const PrincipalStretches& s) const {
     Derivatives d;
     energies::evaluate_derivatives(energy_, s, d);
     return d;
@@ -128,7 +128,7 @@ class EnergyChecker {
 
   void check_psi(const invariants::Modes<Dim>& modes, const Derivatives& d) {
     const Matrix& F = sample_->F;
-    const Stretch s = modes.stretch();
+    const PrincipalStretches s = modes.stretch();
     double stiffness = 0;
     for (const double entry : d.diagonal) stiffness += std::abs(entry);
     const double scale = std::abs(d.psi) + assemble_gradient<Dim>(modes, d).norm() * F.norm() +
@@ -141,7 +141,7 @@ class EnergyChecker {
     compare("psi(F) is the psi of its derivatives", energies::evaluate_psi(energy_, s));
     compare("psi(Q F) = psi(F)", psi(Q * F));
     compare("psi(F Q) = psi(F)", psi(F * Q));
-    Stretch turned;
+    PrincipalStretches turned;
     for (int i = 0; i < Dim; ++i) turned.sigma[i] = s.sigma[(i + 1) % Dim];
     compare("psi does not depend on the order of sigma", energies::evaluate_psi(energy_, turned));
     if constexpr (from_invariants && from_stretch)
@@ -215,7 +215,7 @@ class EnergyChecker {
   /// either.
   void check_rest() {
     sample_ = &rest_;
-    Stretch s;
+    PrincipalStretches s;
     for (int i = 0; i < Dim; ++i) s.sigma[i] = 1.0;
     const Derivatives d = derivatives(s);
     facts_.psi_at_rest = d.psi;

@@ -18,7 +18,7 @@ template <int Dim, class Energy>
 long double wide_psi(const Energy& energy, const WideMatrix<Dim>& F) {
   using Value = AutomaticScalar<long double, 0>;
   const Eigen::JacobiSVD<WideMatrix<Dim>> svd(F);
-  invariants::Stretch<Dim, Value> s;
+  invariants::PrincipalStretches<Dim, Value> s;
   for (int i = 0; i < Dim; ++i) s.sigma[i] = Value(static_cast<long double>(svd.singularValues()[i]));
   if (F.determinant() < 0) s.sigma[Dim - 1] = -s.sigma[Dim - 1];
   return energy.psi(s).value;

@@ -28,14 +28,15 @@ struct Arap {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum = square(s[0] - 1.0);
     for (int i = 1; i < Dim; ++i) sum = sum + square(s[i] - 1.0);
     return sum;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     d.psi = psi(s);
     for (int i = 0; i < Dim; ++i) d.gradient[i] = 2.0 * (s[i] - 1.0), d.diagonal[i] = T(2.0);
     for (int i = 0; i < s.pairs; ++i) {

@@ -36,12 +36,13 @@ struct ArrudaBoyce {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return mu * series_excess<Dim>(isochoric_excess(s)) + 0.5 * K * square(s.J_minus_one());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T y = s.I2() * isochoric_factor(s);
     const T h1 =
         mu * (c1 + y * (2.0 * c2 / N + y * (3.0 * c3 / (N * N) + y * (4.0 * c4 / (N * N * N) +

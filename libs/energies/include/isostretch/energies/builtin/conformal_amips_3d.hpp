@@ -32,12 +32,13 @@ struct ConformalAmips3d {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return s.I2() / (3.0 * square(cbrt(s.J())));
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T I2 = s.I2(), c = cbrt(1.0 / s.J()), w = c * c / 3.0;
     d.psi = w * I2;
     for (int i = 0; i < 3; ++i) {

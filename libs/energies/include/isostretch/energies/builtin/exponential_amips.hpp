@@ -40,14 +40,15 @@ struct ExponentialAmips {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     StretchDerivatives<Dim, T> d;
     exponent(s, d);
     return exp(sharpness * d.psi);
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     exponent(s, d);
     // Composition h(X) with h = exp(sharpness X): A gains h'' times the outer product of the gradient of X.
     const T value = exp(sharpness * d.psi);
@@ -68,7 +69,8 @@ struct ExponentialAmips {
  private:
   /// Computes X and its derivatives.
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void exponent(const Stretch<Dim, T>& stretch, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void exponent(const PrincipalStretches<Dim, T>& stretch,
+                                  StretchDerivatives<Dim, T>& d) const {
     if constexpr (Dim == 2) {
       Mips2d{}.derivatives(stretch, d);
       scale_derivatives(0.5 * alpha, d);

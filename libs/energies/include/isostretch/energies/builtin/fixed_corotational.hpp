@@ -41,14 +41,15 @@ struct FixedCorotational {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum = square(s[0] - 1.0);
     for (int i = 1; i < Dim; ++i) sum = sum + square(s[i] - 1.0);
     return mu * sum + 0.5 * lambda * square(s.J_minus_one());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T j = s.J_minus_one(), pressure = lambda * j;
     d.psi = psi(s);
     for (int i = 0; i < Dim; ++i) {

@@ -37,12 +37,13 @@ struct Fung {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return 0.5 * mu / b * expm1(b * isochoric_excess(s)) + 0.5 * K * square(s.J_minus_one());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T h1 = 0.5 * mu * exp(min(b * isochoric_excess(s), T(700.0)));
     isochoric_derivatives(s, h1, b * h1, K, d);
     d.psi = psi(s);

@@ -27,7 +27,7 @@ struct Hencky {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum(0.0), L(0.0);
     for (int i = 0; i < Dim; ++i) {
       const T l = log(s[i]);
@@ -38,7 +38,8 @@ struct Hencky {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     T l[Dim], r[Dim];
     T sum(0.0), L(0.0);
     for (int i = 0; i < Dim; ++i) {

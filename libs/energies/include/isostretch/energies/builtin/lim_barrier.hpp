@@ -39,14 +39,15 @@ struct LimBarrier {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     const T xi = min((s.J() - epsilon) / width, T(1.0));
     const T g = xi * (square(xi) - 3.0 * xi + 3.0);
     return 0.5 * mu * s.I2() + weight * (1.0 / g - 1.0);
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T xi = min((s.J() - epsilon) / width, T(1.0));
     const T g = xi * (square(xi) - 3.0 * xi + 3.0), r = 1.0 / g, slack = xi - 1.0;
     const T g1 = 3.0 * slack * slack / width, g2 = 6.0 * slack / (width * width);

@@ -33,12 +33,13 @@ struct Mips2d {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return s[0] / s[1] + s[1] / s[0];
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T x = s[0], y = s[1], p = 1.0 / x, q = 1.0 / y;
     const T gap = (x - y) * p * q, sum = (x + y) * p * q;
     d.psi = x * q + y * p;

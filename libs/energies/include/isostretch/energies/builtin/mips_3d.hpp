@@ -40,14 +40,15 @@ struct Mips3d {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T N(0.0);
     for (int i = 0; i < 3; ++i) N = N + square(1.0 / s[i]);
     return (s.I2() * N - 1.0) / 8.0;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     T r[3];
     T N(0.0);
     for (int i = 0; i < 3; ++i) r[i] = 1.0 / s[i], N = N + r[i] * r[i];

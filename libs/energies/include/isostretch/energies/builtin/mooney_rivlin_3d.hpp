@@ -54,13 +54,14 @@ struct MooneyRivlin3d {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     const CubeRoots<T> roots(s);
     return c10 * roots.excess() + c01 * roots.cofactor_excess() + 0.5 * K * square(s.J_minus_one());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T v = isochoric_factor(s), v2 = c01 * v * v, w = c10 * v, I2 = s.I2(), M = cofactor_norm(s);
     T r[3], m[3];
     for (int i = 0; i < 3; ++i) {
@@ -92,7 +93,7 @@ struct MooneyRivlin3d {
  private:
   /// Returns |cof F|^2.
   template <class T>
-  ISOSTRETCH_INLINE static T cofactor_norm(const Stretch<3, T>& s) {
+  ISOSTRETCH_INLINE static T cofactor_norm(const PrincipalStretches<3, T>& s) {
     return square(s[0] * s[1]) + square(s[1] * s[2]) + square(s[2] * s[0]);
   }
 };

@@ -43,13 +43,14 @@ struct NeoHookeanLog {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     const T L = log_determinant(s);
     return 0.5 * mu * s.I2_minus_dim() - mu * L + 0.5 * lambda * L * L;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T L = log_determinant(s), pressure = lambda * L;
     T r[Dim];
     for (int i = 0; i < Dim; ++i) r[i] = 1.0 / s[i];

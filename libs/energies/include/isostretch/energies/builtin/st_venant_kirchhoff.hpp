@@ -54,14 +54,15 @@ struct StVenantKirchhoff {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum(0.0);
     for (int i = 0; i < Dim; ++i) sum = sum + square(0.5 * (s[i] - 1.0) * (s[i] + 1.0));
     return mu * sum + 0.125 * kappa * square(s.I2_minus_dim());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T pressure = 0.5 * kappa * s.I2_minus_dim();
     d.psi = psi(s);
     for (int i = 0; i < Dim; ++i) {

@@ -40,13 +40,14 @@ struct StableNeoHookean {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     const T j = s.J_minus_one();
     return 0.5 * mu * s.I2_minus_dim() - mu * j + 0.5 * lambda * j * j;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T j = s.J_minus_one(), pressure = lambda * j;
     d.psi = 0.5 * mu * s.I2_minus_dim() - mu * j + 0.5 * pressure * j;
     for (int i = 0; i < Dim; ++i) {

@@ -44,13 +44,14 @@ struct StableNeoHookeanLog {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return 0.5 * mu * s.I2_minus_dim() + 0.5 * lambda * square(s.J() - alpha<Dim>()) -
            0.5 * mu * log(s.I2() + 1.0);
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     // The rest values dim/(dim + 1) are taken out of both terms, so that they do not cancel there; towards
     // F = 0 it is the other way round.
     constexpr double rest = double(Dim) / (Dim + 1);

@@ -61,14 +61,15 @@ struct SymmetricArap {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum(0.0);
     for (int i = 0; i < Dim; ++i) sum = sum + square(s[i] - 1.0) * (1.0 + square(1.0 / s[i]));
     return 0.5 * mu * sum;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     T r[Dim];
     T sum(0.0);
     for (int i = 0; i < Dim; ++i) {

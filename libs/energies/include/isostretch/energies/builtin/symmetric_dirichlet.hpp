@@ -60,14 +60,15 @@ struct SymmetricDirichlet {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum = square(s[0]) + square(1.0 / s[0]);
     for (int i = 1; i < Dim; ++i) sum = sum + square(s[i]) + square(1.0 / s[i]);
     return weight * sum;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const double w = 2.0 * weight;
     T r[Dim];
     T sum(0.0);

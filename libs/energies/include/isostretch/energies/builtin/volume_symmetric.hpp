@@ -37,13 +37,14 @@ struct VolumeSymmetric {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     const T j = s.J_minus_one();
     return 0.5 * weight * j * j / s.J();
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T J = s.J(), r = 1.0 / J, j = s.J_minus_one();
     set_zero(d);
     d.psi = 0.5 * weight * j * j * r;

@@ -13,7 +13,7 @@ namespace isostretch::handles {
 /// The equation by which displacements extend from given nodes to all others. K_ab = sum over quadrature
 /// points of w g_a . g_b is the Laplacian, and M the lumped mass, in which every element shares its volume
 /// equally among its nodes.
-enum class SpreadKind {
+enum class ExtensionKind {
   harmonic,    ///< Solves K u = 0 at free nodes: no overshoot, kinks at the handles.
   biharmonic,  ///< Solves K M^-1 K u = 0: smooth at the handles, may overshoot.
 };
@@ -24,24 +24,24 @@ sparse::Options factorizing();
 /// The harmonic or biharmonic extension of displacements given at some nodes to all others, for any dimension
 /// and element. The system is factorised once. A component without a given node, and a node of no element,
 /// stays where it is.
-class Spreader {
+class Extension {
   /// Factorises the system for displacements given at the nodes `given`. Throws Error when the elements are
   /// malformed, a node is out of range, or the system cannot be factorised.
  public:
   /// Throws Error when the elements are malformed, a node is out of range, or the system cannot be
   /// factorised.
-  Spreader(const assembly::Elements& elements, const std::vector<int>& given, SpreadKind kind,
-           const sparse::Options& solver = factorizing());
-  ~Spreader();
+  Extension(const assembly::Elements& elements, const std::vector<int>& given, ExtensionKind kind,
+            const sparse::Options& solver = factorizing());
+  ~Extension();
   /// Takes over the other extension, which is left to be destroyed or assigned to.
-  Spreader(Spreader&&) noexcept;
+  Extension(Extension&&) noexcept;
   /// Takes over the other extension, which is left to be destroyed or assigned to.
-  Spreader& operator=(Spreader&&) noexcept;
+  Extension& operator=(Extension&&) noexcept;
 
   /// Returns displacements at all nodes. `displacement` has dim entries per node, of which those of given
   /// nodes are read; these come out unchanged. Throws Error for a wrong size and when the linear solver
   /// fails.
-  Vector spread(const Vector& displacement) const;
+  Vector extend(const Vector& displacement) const;
 
  private:
   struct System;
