@@ -89,11 +89,12 @@ bool repair_would_help(mesh::SurfaceMesh mesh) {
   return can_be_cut(mesh);
 }
 
-bool flattenable(const mesh::Report& report) {
+bool flattenable(const mesh::MeshDiagnostics& report) {
   long obstacles = 0;
   for (const long count : report.counts) obstacles += count;
-  for (const mesh::Kind kind :
-       {mesh::Kind::several_components, mesh::Kind::unreferenced_vertex, mesh::Kind::duplicate_vertex})
+  for (const mesh::DefectKind kind :
+       {mesh::DefectKind::several_components, mesh::DefectKind::unreferenced_vertex,
+        mesh::DefectKind::duplicate_vertex})
     obstacles -= report.count(kind);
   return obstacles == 0;
 }

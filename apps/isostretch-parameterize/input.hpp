@@ -25,6 +25,6 @@ bool repair_would_help(mesh::SurfaceMesh mesh);
 
 /// Returns whether check() has found nothing that flattening minds. Several components and vertices of no
 /// triangle are no obstacle.
-bool flattenable(const mesh::Report& report);
+bool flattenable(const mesh::MeshDiagnostics& diagnostics);
 
 }  // namespace isostretch::app::parameterize

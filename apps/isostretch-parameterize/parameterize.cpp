@@ -65,7 +65,7 @@ ExitCode conclude(const Result& result, const OutputFolder& folder, const Common
 }
 
 ExitCode print_check(const Options& options) {
-  const mesh::Report report = mesh::check(read_input(options).mesh);
+  const mesh::MeshDiagnostics report = mesh::check(read_input(options).mesh);
   print(to_text(report));
   return flattenable(report) ? ExitCode::success : ExitCode::input;
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The checks of this folder notice what they are for."""
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -10,6 +11,7 @@ import unittest
 import check_dependencies
 import check_kernel_symbols
 import check_owned_vectors
+import check_reference
 import check_silence
 import libraries
 
@@ -99,6 +101,41 @@ class OwnedVectors(unittest.TestCase):
         for sizes in ("-1, 3, 0, -1, 3", "3, -1, 0, 3, -1", "-1, -1, 0, -1, -1"):
             owner = f"Eigen::PlainObjectBase<Eigen::Matrix<double, {sizes}> >::resize(long, long)"
             self.assertEqual(len(check_owned_vectors.faults_in([("W", owner)])), 1)
+
+
+class Reference(unittest.TestCase):
+    def test_warnings_name_symbols_and_pending_headers_are_overlooked(self):
+        root = str(libraries.ROOT)
+        log = (f"{root}/libs/a/include/x.hpp:3: warning: Member y is not documented.\n"
+               f"{root}/libs/b/include/z.hpp:1: warning: first line\n  second line\n")
+        self.assertEqual(check_reference.read_warnings(log, ["libs/b/*"]),
+                         ["libs/a/include/x.hpp:3: Member y is not documented."])
+        self.assertEqual(len(check_reference.read_warnings(log, [])), 3)
+
+    def test_fragments_are_noticed(self):
+        text = "/// What it is.\nint a;\n/// Returns what\n/// of it.\nint b;  ///< of a\nint c;  ///< The number.\n"
+        self.assertEqual([number for number, _ in check_reference.fragments(text)], [1, 5])
+
+    def test_namespaces_must_be_documented(self):
+        headers = ["namespace isostretch::a {\n", "namespace isostretch::b {\n"]
+        self.assertEqual(check_reference.undocumented_namespaces(headers, "/// @namespace isostretch::a\n"), ["isostretch::b"])
+
+    def test_an_undocumented_symbol_is_noticed(self):
+        doxygen = shutil.which("doxygen") or self.skipTest("no doxygen")
+        template = (libraries.ROOT / "docs" / "Doxyfile.in").read_text()
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "x.hpp").write_text("namespace n {\n/// Returns 1.\nint known();\nint unknown();\n"
+                                          "namespace detail { int hidden(); }\n"
+                                          "inline namespace ISOSTRETCH_ISA { int kernel(); }\n}\n")
+            (folder / "pages.dox").write_text("/// @namespace n\n/// A namespace.\n")
+            values = {"ISOSTRETCH_REFERENCE_INPUT": name, "ISOSTRETCH_REFERENCE_DIR": name, "ISOSTRETCH_REFERENCE_STRIP": name,
+                      "PROJECT_SOURCE_DIR": str(libraries.ROOT)}
+            text = re.sub(r"@(\w+)@", lambda m: values.get(m.group(1), "x"), template).replace("*.hpp\n", "*.hpp *.dox\n", 1)
+            (folder / "Doxyfile").write_text(text)
+            warnings = check_reference.read_warnings(check_reference.run_doxygen(doxygen, folder / "Doxyfile"), [])
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assertIn("unknown()", warnings[0])
 
 
 class KernelSymbols(unittest.TestCase):

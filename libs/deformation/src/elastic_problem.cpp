@@ -137,7 +137,7 @@ void ElasticProblem::set_time(double time) {
   if (soft_ != nullptr) soft_->move(soft_pins(time));
 }
 
-bool ElasticProblem::admissible(const Vector& positions) {
+bool ElasticProblem::feasible(const Vector& positions) {
   return std::isfinite(objective_.value(positions).value);
 }
 

@@ -60,9 +60,9 @@ std::vector<double> ElementRotations::at(double time) const {
   const auto entries = static_cast<std::size_t>(body_.dim * body_.dim);
   std::vector<double> rotations;
   if (weights_) {
-    std::vector<handles::Turn> turns;
-    for (const Handle& handle : handle_set_.handles()) turns.push_back(handle.motion.turn(time));
-    rotations = handles::blended_rotations(body_.elements, *weights_, turns, blend_);
+    std::vector<handles::AxisAngle> axis_angles;
+    for (const Handle& handle : handle_set_.handles()) axis_angles.push_back(handle.motion.axis_angle(time));
+    rotations = handles::blended_rotations(body_.elements, *weights_, axis_angles, blend_);
   } else {
     rotations.resize(count * entries);
   }

@@ -31,20 +31,20 @@ bool InterpolationFrame::complete() const {
   return !solved || summary.converged() || summary.status == newton::Status::stopped_iterations;
 }
 
-Interpolation::Interpolation(const InterpolationOptions& options, const KeyShapes& poses,
+Interpolation::Interpolation(const InterpolationOptions& options, const KeyShapes& key_shapes,
                              const energies::AnyEnergy& energy, const Monitor& monitor)
     : options_(checked(options)),
       monitor_(monitor.with_time_limit(options.newton.time_limit)),
-      placement_(checked(poses, energy)),
-      energy_(poses, energy, placement_.loose_nodes()),
+      placement_(checked(key_shapes, energy)),
+      energy_(key_shapes, energy, placement_.loose_nodes()),
       solver_(energy_.objective(), options_of_frame(options.newton, monitor_)),
       starts_(options.guess, placement_),
       before_(placement_.first()),
-      diagonal_(poses.first.diagonal()) {}
+      diagonal_(key_shapes.first.diagonal()) {}
 
 InterpolationFrame Interpolation::next() {
-  InterpolationFrame frame = number_ == 0                 ? pose(placement_.first())
-                             : number_ == options_.frames ? pose(placement_.second_near(before_))
+  InterpolationFrame frame = number_ == 0                 ? key_frame(placement_.first())
+                             : number_ == options_.frames ? key_frame(placement_.second_near(before_))
                                                           : solved();
   measure(frame);
   ++number_;
@@ -52,10 +52,10 @@ InterpolationFrame Interpolation::next() {
 }
 
 Vector Interpolation::placed(const InterpolationFrame& frame) const {
-  return placement_.placed(frame.time, frame.settled, placement_.turns(before_));
+  return placement_.placed(frame.time, frame.settled, placement_.rotations_to_second(before_));
 }
 
-InterpolationFrame Interpolation::pose(Vector settled) {
+InterpolationFrame Interpolation::key_frame(Vector settled) {
   InterpolationFrame frame;
   frame.number = number_;
   frame.time = options_.time(number_);

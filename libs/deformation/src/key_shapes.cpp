@@ -26,8 +26,9 @@ int first_different_element(const assembly::Elements& a, const assembly::Element
   return at == a.nodes.end() ? -1 : static_cast<int>((at - a.nodes.begin()) / a.nodes_per_element);
 }
 
-void require_same_connectivity(const KeyShapes& poses, const std::string& first, const std::string& second) {
-  const SolidModel &a = poses.first, &b = poses.second;
+void require_same_connectivity(const KeyShapes& key_shapes, const std::string& first,
+                               const std::string& second) {
+  const SolidModel &a = key_shapes.first, &b = key_shapes.second;
   require_same(second, first, plural_name(b.shape), plural_name(a.shape));
   require_same(second, first, count_text(b.nodes.rows(), "vertices"), count_text(a.nodes.rows(), "vertices"));
   require_same(second, first, count_text(b.elements.element_count(), plural_name(b.shape)),
@@ -36,10 +37,10 @@ void require_same_connectivity(const KeyShapes& poses, const std::string& first,
   if (e >= 0) require_same(second, first, b.element_text(e), a.element_text(e));
 }
 
-// Frames lie in the plane of the first pose.
-void require_same_plane(const KeyShapes& poses, const std::string& first, const std::string& second) {
-  const Plane a = poses.first.plane.value_or(Plane()), b = poses.second.plane.value_or(Plane());
-  const double tolerance = 1e-6, distance = tolerance * poses.first.diagonal();
+// Frames lie in the plane of the first key shape.
+void require_same_plane(const KeyShapes& key_shapes, const std::string& first, const std::string& second) {
+  const Plane a = key_shapes.first.plane.value_or(Plane()), b = key_shapes.second.plane.value_or(Plane());
+  const double tolerance = 1e-6, distance = tolerance * key_shapes.first.diagonal();
   if ((a.u - b.u).norm() > tolerance || (a.v - b.v).norm() > tolerance ||
       (a.origin - b.origin).norm() > distance)
     throw Error(second + " lies in another plane than " + first);
@@ -47,9 +48,9 @@ void require_same_plane(const KeyShapes& poses, const std::string& first, const 
 
 }  // namespace
 
-void require_pair(const KeyShapes& poses, const std::string& first, const std::string& second) {
-  require_same_connectivity(poses, first, second);
-  require_same_plane(poses, first, second);
+void require_pair(const KeyShapes& key_shapes, const std::string& first, const std::string& second) {
+  require_same_connectivity(key_shapes, first, second);
+  require_same_plane(key_shapes, first, second);
 }
 
 KeyShapes read_key_shapes(const std::filesystem::path& first, const std::filesystem::path& second,
@@ -58,9 +59,9 @@ KeyShapes read_key_shapes(const std::filesystem::path& first, const std::filesys
   a.repair = b.repair = repair;
   a.file = first;
   b.file = second;
-  KeyShapes poses{load_solid(a), load_solid(b)};
-  require_pair(poses, first.string(), second.string());
-  return poses;
+  KeyShapes key_shapes{load_solid(a), load_solid(b)};
+  require_pair(key_shapes, first.string(), second.string());
+  return key_shapes;
 }
 
 }  // namespace isostretch::deformation

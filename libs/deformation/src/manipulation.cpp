@@ -122,8 +122,8 @@ Vector Manipulation::unconstrained() const {
   return x;
 }
 
-// Goes on from the result, or from the soft answer where there is no feasible one. What is reported is the
-// last round's convex problem.
+// Goes on from the result, or from the penalty solution where there is no feasible one. What is reported is
+// the last round's convex problem.
 void Manipulation::relinearize(ManipulationFrame& result) {
   if (result.summary.feasible())
     problem_.rotations = sdp_penalty::nearest_rotations(problem_.elements, result.positions);

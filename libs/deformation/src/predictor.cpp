@@ -28,63 +28,63 @@ Predictor::Predictor(InitialGuess kind, const SolidModel& body, const HandleSet&
       kind_(kind),
       rest_(body.rest_positions()),
       warn_(std::move(warn)) {
-  choose_ways();
-  for (std::size_t way = 0; way < ways_.size(); ++way)
-    if (prepare(way)) break;
+  choose_methods();
+  for (std::size_t method = 0; method < methods_.size(); ++method)
+    if (prepare(method)) break;
 }
 
-void Predictor::choose_ways() {
+void Predictor::choose_methods() {
   if (kind_ != InitialGuess::harmonic && kind_ != InitialGuess::biharmonic) return;
   const bool large = body_.dim == 3 && body_.nodes.rows() > most_to_factorize;
   if (large && kind_ == InitialGuess::biharmonic)
     log(LogLevel::info, formatted("guess: harmonic, for biharmonic is too slow in space above %ld vertices",
                                   static_cast<long>(most_to_factorize)));
-  if (large) ways_.push_back({"harmonic (multigrid)", handles::SpreadKind::harmonic, multigrid()});
+  if (large) methods_.push_back({"harmonic (multigrid)", handles::ExtensionKind::harmonic, multigrid()});
   if (!large && kind_ == InitialGuess::biharmonic)
-    ways_.push_back({"biharmonic", handles::SpreadKind::biharmonic, handles::factorizing()});
-  ways_.push_back({"harmonic", handles::SpreadKind::harmonic, handles::factorizing()});
+    methods_.push_back({"biharmonic", handles::ExtensionKind::biharmonic, handles::factorizing()});
+  methods_.push_back({"harmonic", handles::ExtensionKind::harmonic, handles::factorizing()});
 }
 
-bool Predictor::prepare(std::size_t way) {
-  Way& w = ways_[way];
-  if (w.spreader || w.hopeless) return !w.hopeless;
+bool Predictor::prepare(std::size_t method) {
+  Method& m = methods_[method];
+  if (m.extension || m.hopeless) return !m.hopeless;
   try {
-    w.spreader.emplace(body_.full_rank_elements(), handle_set_.nodes(), w.kind, w.solver);
+    m.extension.emplace(body_.full_rank_elements(), handle_set_.nodes(), m.kind, m.solver);
   } catch (const Error& error) {
-    w.hopeless = true;
-    warn_of(way, error.what());
+    m.hopeless = true;
+    warn_of(method, error.what());
   }
-  return !w.hopeless;
+  return !m.hopeless;
 }
 
 // Every time from the best on, so that a run that was interrupted makes the same guesses.
-Vector Predictor::spread(const Vector& displacement) {
-  for (std::size_t way = 0; way < ways_.size(); ++way) {
-    if (!prepare(way)) continue;
+Vector Predictor::extend(const Vector& displacement) {
+  for (std::size_t method = 0; method < methods_.size(); ++method) {
+    if (!prepare(method)) continue;
     try {
-      Vector spread = ways_[way].spreader->spread(displacement);
-      if (!spread.allFinite()) throw Error("spread: displacements that are not finite");
-      return spread;
+      Vector extended = methods_[method].extension->extend(displacement);
+      if (!extended.allFinite()) throw Error("spread: displacements that are not finite");
+      return extended;
     } catch (const Error& error) {
-      warn_of(way, error.what());
+      warn_of(method, error.what());
     }
   }
   return Vector::Zero(displacement.size());
 }
 
-void Predictor::warn_of(std::size_t way, const std::string& what) {
-  if (std::exchange(ways_[way].warned, true)) return;
-  const std::string next = way + 1 < ways_.size() ? ways_[way + 1].name : "previous";
-  warn_("the guess " + ways_[way].name + " failed (" + what + "), " + next + " takes its place");
+void Predictor::warn_of(std::size_t method, const std::string& what) {
+  if (std::exchange(methods_[method].warned, true)) return;
+  const std::string next = method + 1 < methods_.size() ? methods_[method + 1].name : "previous";
+  warn_("the guess " + methods_[method].name + " failed (" + what + "), " + next + " takes its place");
 }
 
 Vector Predictor::guess(const Vector& positions, double from, double to, bool again) {
   Vector x = kind_ == InitialGuess::rest && !again ? rest_ : positions;
-  if (!ways_.empty()) {
+  if (!methods_.empty()) {
     Vector before = rest_, after = rest_;
     handle_set_.place_all(from, before);
     handle_set_.place_all(to, after);
-    x += spread(after - before);
+    x += extend(after - before);
   }
   handle_set_.place_hard(to, x);
   return x;

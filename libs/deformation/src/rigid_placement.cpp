@@ -7,12 +7,12 @@
 namespace isostretch::deformation {
 namespace {
 
-// Of every node, its part of the mean of the volumes around it in both poses.
-std::vector<double> node_weights(const KeyShapes& poses) {
-  const assembly::Elements& elements = poses.first.elements;
+// Of every node, its part of the mean of the volumes around it in both key shapes.
+std::vector<double> node_weights(const KeyShapes& key_shapes) {
+  const assembly::Elements& elements = key_shapes.first.elements;
   const auto k = static_cast<std::size_t>(elements.nodes_per_element);
-  const std::vector<double> a = poses.first.volumes(), b = poses.second.volumes();
-  std::vector<double> weights(static_cast<std::size_t>(poses.first.nodes.rows()), 0.0);
+  const std::vector<double> a = key_shapes.first.volumes(), b = key_shapes.second.volumes();
+  std::vector<double> weights(static_cast<std::size_t>(key_shapes.first.nodes.rows()), 0.0);
   for (std::size_t i = 0; i < elements.nodes.size(); ++i)
     weights[static_cast<std::size_t>(elements.nodes[i])] += a[i / k] + b[i / k];
   return weights;
@@ -20,18 +20,20 @@ std::vector<double> node_weights(const KeyShapes& poses) {
 
 }  // namespace
 
-RigidPlacement::RigidPlacement(const KeyShapes& poses)
-    : dim_(poses.first.dim), first_(poses.first.rest_positions()), second_(poses.second.rest_positions()) {
-  find_components(poses);
+RigidPlacement::RigidPlacement(const KeyShapes& key_shapes)
+    : dim_(key_shapes.first.dim),
+      first_(key_shapes.first.rest_positions()),
+      second_(key_shapes.second.rest_positions()) {
+  find_components(key_shapes);
   for (Component& c : components_) {
     c.from = centroid(c.nodes, first_, dim_);
     c.to = centroid(c.nodes, second_, dim_);
   }
 }
 
-void RigidPlacement::find_components(const KeyShapes& poses) {
-  const std::vector<int> component = handles::component_of_nodes(poses.first.elements);
-  const std::vector<double> weights = node_weights(poses);
+void RigidPlacement::find_components(const KeyShapes& key_shapes) {
+  const std::vector<int> component = handles::component_of_nodes(key_shapes.first.elements);
+  const std::vector<double> weights = node_weights(key_shapes);
   components_.resize(static_cast<std::size_t>(1 + *std::max_element(component.begin(), component.end())));
   double total = 0;
   for (std::size_t node = 0; node < component.size(); ++node) {
@@ -58,19 +60,19 @@ Vector RigidPlacement::settled(Vector shape, const Vector& onto) const {
   return shape;
 }
 
-std::vector<Rotation> RigidPlacement::turns(const Vector& last) const {
+std::vector<Rotation> RigidPlacement::rotations_to_second(const Vector& last) const {
   std::vector<Rotation> result;
   for (const Component& c : components_) result.push_back(best_rotation(c.nodes, last, second_, dim_));
   return result;
 }
 
-Vector RigidPlacement::placed(double t, const Vector& settled, const std::vector<Rotation>& turns) const {
+Vector RigidPlacement::placed(double t, const Vector& settled, const std::vector<Rotation>& rotations) const {
   if (t == 0) return first_;
   if (t == 1) return second_;
   Vector result = settled;
   for (std::size_t i = 0; i < components_.size(); ++i) {
     const Component& c = components_[i];
-    move(c.nodes, share_of(turns[i], t), c.from, (1 - t) * c.from + t * c.to, result);
+    move(c.nodes, share_of(rotations[i], t), c.from, (1 - t) * c.from + t * c.to, result);
   }
   for (const int node : loose_)
     result.segment(dim_ * node, dim_) =

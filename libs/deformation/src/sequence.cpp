@@ -53,7 +53,7 @@ FrameResult Stepper::advance(int frame, Vector& positions) {
     const auto at = [&](double way) { return time_within(frame, way); };
     Vector x = predictor_.guess(positions, at(done), at(next), next < 1 || done > 0);
     problem_.set_time(at(next));
-    if (!problem_.admissible(x)) {
+    if (!problem_.feasible(x)) {
       part /= 2;
       if (part >= least_part) continue;
       result.why = obstacle(frame, x);

@@ -9,7 +9,7 @@ namespace {
 
 template <int Dim>
 energies::StretchDerivatives<Dim, double> derivatives_at_rest(const energies::AnyEnergy& energy) {
-  invariants::Stretch<Dim, double> rest;
+  invariants::PrincipalStretches<Dim, double> rest;
   std::fill(std::begin(rest.sigma), std::end(rest.sigma), 1.0);
   return energies::derivatives_at<Dim>(energy, rest);
 }
@@ -36,13 +36,13 @@ void require_least_at_rest(const energies::AnyEnergy& energy, int dim) {
         "at the poses");
 }
 
-ShapeEnergy::ShapeEnergy(const KeyShapes& poses, const energies::AnyEnergy& energy,
+ShapeEnergy::ShapeEnergy(const KeyShapes& key_shapes, const energies::AnyEnergy& energy,
                          const std::vector<int>& held)
-    : objective_(poses.first.dim, static_cast<int>(poses.first.nodes.rows())),
-      terms_{&objective_.add<newton::EnergyTerm>(poses.first.elements, energy),
-             &objective_.add<newton::EnergyTerm>(poses.second.elements, energy)} {
-  const double density = density_at_rest(energy, poses.first.dim);
-  at_rest_ = {density * poses.first.volume(), density * poses.second.volume()};
+    : objective_(key_shapes.first.dim, static_cast<int>(key_shapes.first.nodes.rows())),
+      terms_{&objective_.add<newton::EnergyTerm>(key_shapes.first.elements, energy),
+             &objective_.add<newton::EnergyTerm>(key_shapes.second.elements, energy)} {
+  const double density = density_at_rest(energy, key_shapes.first.dim);
+  at_rest_ = {density * key_shapes.first.volume(), density * key_shapes.second.volume()};
   for (const int node : held) objective_.pin(node);
 }
 

@@ -174,7 +174,7 @@ std::string fault_lines(const ElementMesh& m, const char* what, const std::vecto
 }
 
 // Of the corners alone where elements are of second order.
-mesh::Report report_of(const ElementMesh& m) {
+mesh::MeshDiagnostics report_of(const ElementMesh& m) {
   if (m.shape == Shape::tet || m.shape == Shape::quadratic_tet)
     return mesh::check(mesh::TetMesh{m.vertices, m.elements.leftCols(4)}, most_listed);
   if (m.shape != Shape::triangle && m.shape != Shape::quadratic_triangle) return {};
@@ -186,16 +186,17 @@ mesh::Report report_of(const ElementMesh& m) {
 
 // What is said elsewhere, or of files where vertices of no element are usual, is left out.
 std::string further_lines(const ElementMesh& m) {
-  const mesh::Report report = report_of(m);
+  const mesh::MeshDiagnostics report = report_of(m);
   std::string text;
-  for (const mesh::Kind kind :
-       {mesh::Kind::degenerate, mesh::Kind::zero_size, mesh::Kind::non_manifold_edge,
-        mesh::Kind::non_manifold_face, mesh::Kind::non_manifold_vertex, mesh::Kind::inconsistent_orientation,
-        mesh::Kind::not_orientable, mesh::Kind::duplicate_vertex}) {
+  for (const mesh::DefectKind kind :
+       {mesh::DefectKind::degenerate, mesh::DefectKind::zero_size, mesh::DefectKind::non_manifold_edge,
+        mesh::DefectKind::non_manifold_face, mesh::DefectKind::non_manifold_vertex,
+        mesh::DefectKind::inconsistent_orientation, mesh::DefectKind::not_orientable,
+        mesh::DefectKind::duplicate_vertex}) {
     if (report.count(kind) == 0) continue;
-    text += "  " + std::string(mesh::kind_name(kind)) + formatted(": %ld\n", report.count(kind));
-    for (const mesh::Finding& finding : report.findings)
-      if (finding.kind == kind) text += "    " + finding.text + "\n";
+    text += "  " + std::string(mesh::defect_kind_name(kind)) + formatted(": %ld\n", report.count(kind));
+    for (const mesh::Defect& defect : report.defects)
+      if (defect.kind == kind) text += "    " + defect.text + "\n";
     if (const long rest = report.count(kind) - static_cast<long>(most_listed); rest > 0)
       text += formatted("    and %ld more\n", rest);
   }

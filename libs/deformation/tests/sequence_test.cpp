@@ -135,7 +135,7 @@ TEST_CASE("Interpolation: begins and ends with the key shapes to the bit, withou
   }
 }
 
-TEST_CASE("Manipulation: a twist is certified, and its trace is a table") {
+TEST_CASE("Manipulation: a twist is solved to its gap, and its trace is a table") {
   const SolidModel body = bar();
   ManipulationOptions options;
   options.script = twist(60, 2);

@@ -39,7 +39,7 @@ namespace {
 template <int Dim, class Energy>
 StretchDerivatives<Dim, Quad> reference(const Energy& energy, const std::array<Quad, Dim>& sigma) {
   using Scalar = testing::AutomaticScalar<Quad, Dim>;
-  Stretch<Dim, Scalar> s;
+  PrincipalStretches<Dim, Scalar> s;
   for (int i = 0; i < Dim; ++i) s.sigma[i] = Scalar::variable(sigma[static_cast<std::size_t>(i)], i);
   const Scalar psi = energy.psi(s);
   StretchDerivatives<Dim, Quad> d;
@@ -59,7 +59,7 @@ StretchDerivatives<Dim, Quad> reference(const Energy& energy, const std::array<Q
 }
 
 template <int Dim>
-std::array<Quad, Dim> widened(const Stretch<Dim, double>& s) {
+std::array<Quad, Dim> widened(const PrincipalStretches<Dim, double>& s) {
   std::array<Quad, Dim> sigma;
   for (int i = 0; i < Dim; ++i) sigma[static_cast<std::size_t>(i)] = s[i];
   return sigma;
@@ -67,7 +67,7 @@ std::array<Quad, Dim> widened(const Stretch<Dim, double>& s) {
 
 // What the reference itself loses where parts of psi that are large cancel in its derivatives.
 template <int Dim>
-StretchDerivatives<Dim, Quad> quadruple_rounding(const Stretch<Dim, double>& s, Quad psi) {
+StretchDerivatives<Dim, Quad> quadruple_rounding(const PrincipalStretches<Dim, double>& s, Quad psi) {
   const Quad rounding = psi * 0x1p-108;
   StretchDerivatives<Dim, Quad> d{};
   for (int i = 0; i < Dim; ++i) {
@@ -82,7 +82,7 @@ StretchDerivatives<Dim, Quad> quadruple_rounding(const Stretch<Dim, double>& s, 
 // What the entries of `exact` change by when sigma_i changes by half a unit in its last place, summed over i:
 // the error no form can be blamed for, and all there is at a true change of sign.
 template <int Dim, class Energy>
-StretchDerivatives<Dim, Quad> sensitivity(const Energy& energy, const Stretch<Dim, double>& s,
+StretchDerivatives<Dim, Quad> sensitivity(const Energy& energy, const PrincipalStretches<Dim, double>& s,
                                           const StretchDerivatives<Dim, Quad>& exact) {
   auto sum = quadruple_rounding<Dim>(s, fabsq(exact.psi));
   for (int i = 0; i < Dim; ++i) {
@@ -104,11 +104,11 @@ StretchDerivatives<Dim, Quad> sensitivity(const Energy& energy, const Stretch<Di
 
 // Descending combinations of a few magnitudes; the last one also negative if asked for.
 template <int Dim>
-std::vector<Stretch<Dim, double>> graded_stretches(bool inverted) {
+std::vector<PrincipalStretches<Dim, double>> graded_stretches(bool inverted) {
   const std::vector<double> magnitudes = {1e6, 37.0, 1.25, 1.0, 0.9, 3e-3, 1e-6};
-  std::vector<Stretch<Dim, double>> all;
+  std::vector<PrincipalStretches<Dim, double>> all;
   const auto add = [&](double a, double b, double c) {
-    Stretch<Dim, double> s;
+    PrincipalStretches<Dim, double> s;
     s.sigma[0] = a;
     s.sigma[1] = b;
     s.sigma[Dim - 1] = c;
@@ -194,7 +194,7 @@ void check_twist_near_rest(const Energy& energy) {
   // Its psi has a rounded constant, which moves the rest state of the reference by a rounding.
   const double offset = std::string_view(Energy::name) == "stable_neo_hookean_log" ? 4e-16 : 0.0;
   for (const double e : {1e-3, 1e-6, 1e-9}) {
-    Stretch<Dim, double> s;
+    PrincipalStretches<Dim, double> s;
     for (int i = 0; i < Dim; ++i) s.sigma[i] = 1.0 + e * (1.7 - 0.6 * i);
     const auto exact = reference<Dim>(energy, widened(s));
     at_every_level([&](Isa isa) {
@@ -214,7 +214,7 @@ void check_twist_near_rest(const Energy& energy) {
 template <int Dim, class Energy>
 Quad reference_psi(const Energy& energy, const std::array<Quad, Dim>& sigma) {
   using Scalar = testing::AutomaticScalar<Quad, Dim>;
-  Stretch<Dim, Scalar> s;
+  PrincipalStretches<Dim, Scalar> s;
   for (int i = 0; i < Dim; ++i) s.sigma[i] = Scalar(sigma[static_cast<std::size_t>(i)]);
   if constexpr (requires { energy.psi(s.invariants()); }) {
     return energy.psi(s.invariants()).value;
@@ -225,11 +225,11 @@ Quad reference_psi(const Energy& energy, const std::array<Quad, Dim>& sigma) {
 
 // Rotations and similarities but for a strain of e: there the terms of isochoric energies cancel.
 template <int Dim>
-std::vector<Stretch<Dim, double>> nearly_similar_stretches() {
-  std::vector<Stretch<Dim, double>> all;
+std::vector<PrincipalStretches<Dim, double>> nearly_similar_stretches() {
+  std::vector<PrincipalStretches<Dim, double>> all;
   for (const double scale : {1.0, 0.25, 3.0})
     for (const double e : {1e-1, 1e-2, 1e-4, 1e-6, 1e-7}) {
-      Stretch<Dim, double> s;
+      PrincipalStretches<Dim, double> s;
       for (int i = 0; i < Dim; ++i) s.sigma[i] = scale * (1.0 + e * (1.3 - 0.9 * i));
       all.push_back(s);
     }

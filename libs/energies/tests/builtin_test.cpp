@@ -18,12 +18,12 @@ namespace {
 
 // sigma_0 >= sigma_1 >= ..., moderate.
 template <int Dim>
-std::vector<Stretch<Dim, double>> moderate_stretches() {
+std::vector<PrincipalStretches<Dim, double>> moderate_stretches() {
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> uniform(0.5, 2.0);
-  std::vector<Stretch<Dim, double>> all;
+  std::vector<PrincipalStretches<Dim, double>> all;
   for (int n = 0; n < 50; ++n) {
-    Stretch<Dim, double> s;
+    PrincipalStretches<Dim, double> s;
     for (double& sigma : s.sigma) sigma = uniform(generator);
     std::sort(s.sigma, s.sigma + Dim, std::greater<>());
     all.push_back(s);
@@ -61,7 +61,7 @@ void check_equal(const Partials<double>& a, const Partials<double>& b) {
 
 // psi(I), hand-written partials, jets and the forms in sigma at one stretch.
 template <int Dim, class Energy>
-void check_forms(const Energy& energy, const Stretch<Dim, double>& s) {
+void check_forms(const Energy& energy, const PrincipalStretches<Dim, double>& s) {
   Derivatives<Dim> direct;
   energy.derivatives(s, direct);
   CHECK(energy.psi(s) == doctest::Approx(direct.psi).epsilon(1e-13));
@@ -77,7 +77,7 @@ void check_forms(const Energy& energy, const Stretch<Dim, double>& s) {
 }
 
 template <int Dim, class Energy>
-void check_levels(const Energy& energy, const Stretch<Dim, double>& s) {
+void check_levels(const Energy& energy, const PrincipalStretches<Dim, double>& s) {
   Derivatives<Dim> direct;
   energy.derivatives(s, direct);
   at_every_level([&](Isa isa) {
@@ -95,7 +95,7 @@ void check_domain(const Energy& energy) {
     CAPTURE(isa_name(isa));
     for (const double smallest : {0.0, -1e-12, -0.5, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
       CAPTURE(smallest);
-      Stretch<Dim, double> s;
+      PrincipalStretches<Dim, double> s;
       for (double& sigma : s.sigma) sigma = 1.0;
       s.sigma[Dim - 1] = smallest;
       PointChunk<Dim> point(s);

@@ -54,7 +54,7 @@ void for_each_entry(const A& a, const B& b, Visitor visit) {
 template <int Dim>
 class PointChunk {
  public:
-  explicit PointChunk(const Stretch<Dim, double>& s) {
+  explicit PointChunk(const PrincipalStretches<Dim, double>& s) {
     for (int e = 0; e < Dim; ++e)
       for (int i = 0; i < lanes; ++i) sigma_[static_cast<std::size_t>(e * lanes + i)] = s[e];
   }

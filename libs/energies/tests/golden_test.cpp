@@ -26,7 +26,7 @@ struct Worst {
 
 // The struct called `name` with these parameters, evaluated as it stands: no guard outside the domain.
 template <int Dim>
-Derivatives<Dim> scalar_derivatives(const golden::Record& record, const Stretch<Dim, double>& s) {
+Derivatives<Dim> scalar_derivatives(const golden::Record& record, const PrincipalStretches<Dim, double>& s) {
   Derivatives<Dim> d{};
   for_each_builtin([&](auto energy) {
     using Energy = decltype(energy);

@@ -68,7 +68,7 @@ struct UserHencky {
   }
 
   template <int Dim, class T>
-  T psi(const Stretch<Dim, T>& s) const {
+  T psi(const PrincipalStretches<Dim, T>& s) const {
     using isostretch::log;
     T squares(0.0), sum(0.0);
     for (int i = 0; i < Dim; ++i) {
@@ -127,10 +127,11 @@ struct FunctionInThePlane {
   }
 };
 
-const Stretch<3, double> stretched{{1.7, 1.1, 0.6}};
+const PrincipalStretches<3, double> stretched{{1.7, 1.1, 0.6}};
 
 template <int Dim>
-void check_same_derivatives(const AnyEnergy& one, const AnyEnergy& other, const Stretch<Dim, double>& s) {
+void check_same_derivatives(const AnyEnergy& one, const AnyEnergy& other,
+                            const PrincipalStretches<Dim, double>& s) {
   const auto a = PointChunk<Dim>(s).derivatives(one), b = PointChunk<Dim>(s).derivatives(other);
   for_each_entry<Dim>(a, b, [](const char* entry, double x, double y) {
     CAPTURE(entry);
@@ -184,7 +185,7 @@ TEST_CASE("parameters reach the kernels of every level and are reported back") {
         CAPTURE(parameter.name);
         const AnyEnergy after = make_energy(name, {{parameter.name, 1.25 * parameter.value}});
         // The LIM barrier ends at det F = 1 + epsilon, hence a state below it.
-        PointChunk<3> point(stretched), compressed(Stretch<3, double>{{1.1, 0.8, 0.6}});
+        PointChunk<3> point(stretched), compressed(PrincipalStretches<3, double>{{1.1, 0.8, 0.6}});
         const bool differs =
             point.psi(before) != point.psi(after) || compressed.psi(before) != compressed.psi(after);
         CHECK(differs);
@@ -227,8 +228,8 @@ TEST_CASE("a user's barrier and dimension are respected") {
   const AnyEnergy energy = UserEnergy2d{};
   CHECK(energy.supports(2));
   CHECK_FALSE(energy.supports(3));
-  CHECK(std::isinf(PointChunk<2>(Stretch<2, double>{{1.0, -0.5}}).psi(energy)));
-  CHECK(PointChunk<2>(Stretch<2, double>{{2.0, 1.0}}).psi(energy) == doctest::Approx(2.5));
+  CHECK(std::isinf(PointChunk<2>(PrincipalStretches<2, double>{{1.0, -0.5}}).psi(energy)));
+  CHECK(PointChunk<2>(PrincipalStretches<2, double>{{2.0, 1.0}}).psi(energy) == doctest::Approx(2.5));
 }
 
 TEST_CASE("psi of the stretches alone is enough, also where stretches are equal or nearly") {
@@ -237,9 +238,10 @@ TEST_CASE("psi of the stretches alone is enough, also where stretches are equal 
     const AnyEnergy user = UserHencky{}, built = make_energy("hencky");
     for (const double gap : {0.3, 3e-3, 1.5e-3, 1e-4, 1e-7, 1e-12, 0.0}) {
       CAPTURE(gap);
-      for (const Stretch<3, double>& s :
-           {Stretch<3, double>{{1.2 + gap, 1.2, 0.7}}, Stretch<3, double>{{1.4, 0.9 + gap, 0.9}},
-            Stretch<3, double>{{1.1 + 2 * gap, 1.1 + gap, 1.1}}}) {
+      for (const PrincipalStretches<3, double>& s :
+           {PrincipalStretches<3, double>{{1.2 + gap, 1.2, 0.7}},
+            PrincipalStretches<3, double>{{1.4, 0.9 + gap, 0.9}},
+            PrincipalStretches<3, double>{{1.1 + 2 * gap, 1.1 + gap, 1.1}}}) {
         const auto u = PointChunk<3>(s).derivatives(user), b = PointChunk<3>(s).derivatives(built);
         for_each_entry<3>(u, b, [](const char* entry, double x, double y) {
           CAPTURE(entry);
@@ -258,7 +260,7 @@ TEST_CASE("an operator() of invariants or of stretches is enough") {
     CHECK(by_invariants.parameters().at(1).value == 3.0);
     CHECK(by_stretches.determinant_bound() == 0.0);
     const AnyEnergy neo_hookean = make_energy("neo_hookean_log", {{"mu", 2}, {"lambda", 3}});
-    const Stretch<2, double> plane{{1.4, 0.8}};
+    const PrincipalStretches<2, double> plane{{1.4, 0.8}};
     check_same_derivatives(by_invariants, neo_hookean, stretched);
     check_same_derivatives(by_invariants, neo_hookean, plane);
     check_same_derivatives(by_stretches, make_energy("hencky"), stretched);
@@ -266,7 +268,7 @@ TEST_CASE("an operator() of invariants or of stretches is enough") {
   });
   CHECK(PointChunk<3>(stretched).psi(PsiAndMore{}) == PointChunk<3>(stretched).psi(UserEnergy{}));
   CHECK_FALSE(AnyEnergy(FunctionInThePlane{}).supports(3));
-  CHECK(PointChunk<2>(Stretch<2, double>{{3.0, 2.0}}).psi(FunctionInThePlane{}) == 13.0);
+  CHECK(PointChunk<2>(PrincipalStretches<2, double>{{3.0, 2.0}}).psi(FunctionInThePlane{}) == 13.0);
   add_energy(entry_of<FunctionOfInvariants>());
   check_same_derivatives(make_energy("function_of_invariants", {{"mu", 5}}),
                          make_energy("neo_hookean_log", {{"mu", 5}}), stretched);
@@ -315,7 +317,7 @@ struct RootWithoutDomain {
   static constexpr const char* name = "root_without_domain";
 
   template <int Dim, class T>
-  T psi(const Stretch<Dim, T>& s) const {
+  T psi(const PrincipalStretches<Dim, T>& s) const {
     using isostretch::sqrt;
     return s.I2() + sqrt(s.J());
   }
@@ -333,7 +335,7 @@ struct InfiniteBelow {
 }  // namespace
 
 TEST_CASE("an energy with the name of a built-in one is evaluated as what it is") {
-  Stretch<3, double> s;
+  PrincipalStretches<3, double> s;
   s.sigma[0] = 2, s.sigma[1] = 1.5, s.sigma[2] = 0.5;
   const AnyEnergy mine = UsersNeoHookean{};
   at_every_level([&](Isa) {

@@ -55,7 +55,7 @@ struct OfInvariants : Alone<Energy> {
 template <class Energy>
 struct OfStretches : Alone<Energy> {
   template <int Dim, class T>
-  T psi(const invariants::Stretch<Dim, T>& s) const {
+  T psi(const invariants::PrincipalStretches<Dim, T>& s) const {
     return this->energy.psi(s);
   }
 };
@@ -129,7 +129,7 @@ void report_jets() {
   const energies::AnyEnergy by_hand = energies::make_energy(Energy::name);
   if constexpr (requires(Energy e, energies::Invariants<dim, double> I) { e.psi(I); })
     report((std::string(Energy::name) + ", of invariants").c_str(), OfInvariants<Energy>{}, by_hand);
-  if constexpr (requires(Energy e, invariants::Stretch<dim, double> s) { e.psi(s); })
+  if constexpr (requires(Energy e, invariants::PrincipalStretches<dim, double> s) { e.psi(s); })
     report((std::string(Energy::name) + ", of stretches").c_str(), OfStretches<Energy>{}, by_hand);
 }
 template <class... Energies>

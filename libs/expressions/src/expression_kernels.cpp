@@ -10,7 +10,7 @@ namespace {
 using energies::load_stretch;
 using energies::store_derivatives;
 using invariants::Partials;
-using invariants::Stretch;
+using invariants::PrincipalStretches;
 using invariants::StretchDerivatives;
 
 // One operation over all points of a chunk.
@@ -196,7 +196,7 @@ ISOSTRETCH_INLINE Pack result(const Task& task, const energies::StretchChunk& ch
 
 // What is not finite, and all beyond the bound, is outside of the domain.
 template <int Dim>
-ISOSTRETCH_INLINE Pack guarded(const Task& task, const Stretch<Dim, Pack>& s, Pack psi) {
+ISOSTRETCH_INLINE Pack guarded(const Task& task, const PrincipalStretches<Dim, Pack>& s, Pack psi) {
   const Pack infinity(__builtin_inf());
   return select(Pack(task.determinant_bound) < s.J(), select(abs(psi) < infinity, psi, infinity), infinity);
 }

@@ -118,7 +118,7 @@ namespace {
 // stretch by half a unit in its last place. The built-in energy is the reference.
 template <int Dim>
 double psi_error_near_rest(const AnyEnergy& typed, const AnyEnergy& built, double strain) {
-  const auto psi_of = [](const AnyEnergy& energy, const invariants::Stretch<Dim, double>& s) {
+  const auto psi_of = [](const AnyEnergy& energy, const invariants::PrincipalStretches<Dim, double>& s) {
     constexpr int points = 8;
     double sigma[Dim * points], psi[points];
     for (int e = 0; e < Dim; ++e) std::fill_n(sigma + e * points, points, s[e]);
@@ -129,7 +129,7 @@ double psi_error_near_rest(const AnyEnergy& typed, const AnyEnergy& built, doubl
     energy.evaluate_psi(Dim, chunk);
     return psi[0];
   };
-  invariants::Stretch<Dim, double> s;
+  invariants::PrincipalStretches<Dim, double> s;
   for (int e = 0; e < Dim; ++e) s.sigma[e] = 1 + strain * (1.3 - 0.9 * e);
   const double exact = psi_of(built, s);
   double allowed = std::abs(exact) * 0x1p-52;

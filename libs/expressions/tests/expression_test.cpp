@@ -17,7 +17,7 @@ using expressions::parse_energy;
 namespace {
 
 template <int Dim>
-double psi_at(const AnyEnergy& energy, const invariants::Stretch<Dim, double>& s) {
+double psi_at(const AnyEnergy& energy, const invariants::PrincipalStretches<Dim, double>& s) {
   constexpr int points = 16;
   std::vector<double> sigma(Dim * points), psi(points);
   for (int e = 0; e < Dim; ++e)
@@ -32,7 +32,7 @@ double psi_at(const AnyEnergy& energy, const invariants::Stretch<Dim, double>& s
   return psi[0];
 }
 
-const invariants::Stretch<3, double> probe{{1.5, 1.2, 0.8}};
+const invariants::PrincipalStretches<3, double> probe{{1.5, 1.2, 0.8}};
 
 double value(const std::string& text, const std::map<std::string, double>& parameters = {}) {
   return psi_at(parse_energy(text, parameters), probe);
@@ -184,7 +184,7 @@ TEST_SUITE("expressions") {
   // Against quotients where stretches are apart, and against the limit where they are equal.
   TEST_CASE("flips of every function and of conditions do not cancel") {
     const auto d = [](const AnyEnergy& energy, double a, double b) {
-      return energies::derivatives_at(energy, invariants::Stretch<2, double>{{a, b}});
+      return energies::derivatives_at(energy, invariants::PrincipalStretches<2, double>{{a, b}});
     };
     for (const char* text : {"sum(sqrt(s))",
                              "sum(cbrt(s))",
@@ -226,7 +226,7 @@ TEST_SUITE("expressions") {
   }
 
   TEST_CASE("flips of steep functions keep their digits where stretches are apart") {
-    using S = invariants::Stretch<2, double>;
+    using S = invariants::PrincipalStretches<2, double>;
     const std::pair<const char*, S> cases[] = {{"sum(1/expm1(1/(s-1)^2)) + I2", {{1.3, 1.1}}},
                                                {"sum(sinh(s^3)^-2)", {{5, 0.7}}},
                                                {"sum(exp(s^2)/(1+exp(s^2))^2)", {{10, 0.5}}},

@@ -31,7 +31,7 @@ std::string with_fixed_stretches(const std::string& text) {
 
 template <int Dim>
 double value_of(const std::string& formula, const Parameters& parameters,
-                const invariants::Stretch<Dim, double>& s) {
+                const invariants::PrincipalStretches<Dim, double>& s) {
   const std::string text = with_fixed_stretches(formula);
   Parameters all = parameters;
   for (int i = 0; i < Dim; ++i) all["fixed_s" + std::to_string(i + 1)] = s[i];
@@ -43,7 +43,8 @@ double value_of(const std::string& formula, const Parameters& parameters,
 template <int Dim>
 class Printed {
  public:
-  Printed(const std::string& text, const Parameters& parameters, invariants::Stretch<Dim, double> s)
+  Printed(const std::string& text, const Parameters& parameters,
+          invariants::PrincipalStretches<Dim, double> s)
       : parameters_(parameters), s_(s) {
     for (const auto& [name, formula] : print_derivatives(text, Dim)) {
       REQUIRE_MESSAGE(!formula.empty(), name);
@@ -61,12 +62,12 @@ class Printed {
  private:
   std::map<std::string, std::string> formulas_;
   Parameters parameters_;
-  invariants::Stretch<Dim, double> s_;
+  invariants::PrincipalStretches<Dim, double> s_;
 };
 
 template <int Dim>
 void check_values(const std::string& text, const Parameters& parameters,
-                  const invariants::Stretch<Dim, double>& s) {
+                  const invariants::PrincipalStretches<Dim, double>& s) {
   const auto energy = parse_energy(text, parameters);
   if (!energy.supports(Dim)) return;
   CAPTURE(text);

@@ -110,7 +110,7 @@ TEST_SUITE("programs of expressions") {
 
   TEST_CASE("factors that would overflow together stay apart") {
     const auto energy = parse_energy("I2 + 1e200*(1e200*exp(-200*I2))");
-    const auto d = energies::derivatives_at(energy, invariants::Stretch<2, double>{{1.9, 1.7}});
+    const auto d = energies::derivatives_at(energy, invariants::PrincipalStretches<2, double>{{1.9, 1.7}});
     CHECK(d.gradient[0] == doctest::Approx(3.8));
     CHECK(d.twist[0] == doctest::Approx(2));
   }
@@ -120,7 +120,7 @@ TEST_SUITE("programs of expressions") {
          {"((((((((I2/d)^16)^16)^16)^16)^16)^16)^16)^16", "sum((((((((s^16)^16)^16)^16)^16)^16)^16)^16)",
           "sum((((((s^16)^16)^16)^16)^16)^16)"}) {
       CAPTURE(text);
-      CHECK(derivatives_at(parse_energy(text), invariants::Stretch<2, double>{{1, 1}}).psi > 0);
+      CHECK(derivatives_at(parse_energy(text), invariants::PrincipalStretches<2, double>{{1, 1}}).psi > 0);
     }
     std::string nested = "s";
     for (int level = 0; level < 24; ++level) nested = "((" + nested + ")*s)^2*J";

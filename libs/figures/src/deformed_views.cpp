@@ -195,8 +195,8 @@ Camera camera_for(const DeformationFigure& figure, const mesh::Points3& rest) {
 
 }  // namespace
 
-struct DeformedViews::Kept {
-  explicit Kept(const DeformationFigure& f)
+struct DeformedViews::Workspace {
+  explicit Workspace(const DeformationFigure& f)
       : figure(f),
         states(in_one_ball(f)),
         corners(states[0].vertices, f.triangles),
@@ -210,13 +210,14 @@ struct DeformedViews::Kept {
 };
 
 DeformedViews::DeformedViews(const DeformationFigure& figure, int width, double most_height, double inset)
-    : kept_(std::make_unique<Kept>(figure)), width_(width) {
+    : workspace_(std::make_unique<Workspace>(figure)), width_(width) {
   double w = 1e-12, h = 1e-12;
-  for (const PlacedState& state : kept_->states) {
-    kept_->boxes.push_back(bounds(kept_->camera, state.vertices));
+  for (const PlacedState& state : workspace_->states) {
+    workspace_->boxes.push_back(bounds(workspace_->camera, state.vertices));
     if (state.marker_ends.rows() > 0)
-      kept_->boxes.back() = united(kept_->boxes.back(), bounds(kept_->camera, state.marker_ends));
-    w = std::max(w, kept_->boxes.back().width), h = std::max(h, kept_->boxes.back().height);
+      workspace_->boxes.back() =
+          united(workspace_->boxes.back(), bounds(workspace_->camera, state.marker_ends));
+    w = std::max(w, workspace_->boxes.back().width), h = std::max(h, workspace_->boxes.back().height);
   }
   scale_ = std::min((width - 2 * inset) / w, (most_height - 2 * inset) / h);
   height_ = scale_ * h + 2 * inset;
@@ -226,7 +227,7 @@ DeformedViews::~DeformedViews() = default;
 
 void DeformedViews::draw(Canvas& canvas, std::size_t i, Point corner, int height,
                          const DistortionScale& scale) const {
-  const Kept& k = *kept_;
+  const Workspace& k = *workspace_;
   const DeformedState& state = k.figure.states[i];
   const mesh::Points3 vertices = k.corners.vertices(k.states[i].vertices),
                       normals = k.corners.normals(k.states[i].vertices);

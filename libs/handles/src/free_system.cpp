@@ -69,7 +69,7 @@ void FreeSystem::solve(const std::vector<bool>& free, std::vector<double>& w, in
     A.column_start.push_back(A.nonzeros());
   }
   const auto solver = sparse::make_solver(solver_);
-  // As in spread.cpp: the solver is to know the dimension, places do not matter.
+  // As in extension.cpp: the solver is to know the dimension, places do not matter.
   const std::vector<double> anywhere(free.size() * at(dim_), 0.0);
   solver->set_coordinates(anywhere.data(), dim_, static_cast<int>(free.size()));
   require(solver->analyze(A).message);

@@ -21,7 +21,7 @@ Point unit(const Point& axis) {
 }
 
 Rotation rotation(const Point& axis, double degrees) {
-  // Full turns are taken off first, and quarter turns are exact.
+  // Full axis_angles are taken off first, and quarter axis_angles are exact.
   const double turn = std::remainder(degrees, 360.0);
   double s = std::sin(turn * std::numbers::pi / 180), c = std::cos(turn * std::numbers::pi / 180);
   if (std::fmod(turn, 90.0) == 0) s = std::round(s), c = std::round(c);
@@ -54,23 +54,23 @@ bool shares_axis(const Transform& a, const Transform& b, double& degrees) {
 }
 
 // Between transforms of one axis.
-std::optional<Turn> turn_between(const Transform& a, const Transform& b, double t) {
+std::optional<AxisAngle> rotation_between(const Transform& a, const Transform& b, double t) {
   double degrees = 0;
-  if (shares_axis(a, b, degrees)) return Turn{a.axis, mix(a.degrees, degrees, t)};
-  if (shares_axis(b, a, degrees)) return Turn{b.axis, mix(degrees, b.degrees, t)};
+  if (shares_axis(a, b, degrees)) return AxisAngle{a.axis, mix(a.degrees, degrees, t)};
+  if (shares_axis(b, a, degrees)) return AxisAngle{b.axis, mix(degrees, b.degrees, t)};
   return std::nullopt;
 }
 
 Rotation between(const Transform& a, const Transform& b, double t) {
-  if (const auto turn = turn_between(a, b, t)) return rotation(turn->axis, turn->degrees);
+  if (const auto between = rotation_between(a, b, t)) return rotation(between->axis, between->degrees);
   const Rotation from = rotation(a.axis, a.degrees);
   const Eigen::AngleAxisd way(Rotation(from.transpose() * rotation(b.axis, b.degrees)));
   return from * rotation(way.axis(), t * way.angle() * 180 / std::numbers::pi);
 }
 
-Turn counter_clockwise(const Turn& turn) {
-  const Point axis = unit(turn.axis);
-  return axis.z() == -1 ? Turn{-axis, -turn.degrees} : Turn{axis, turn.degrees};
+AxisAngle counter_clockwise(const AxisAngle& given) {
+  const Point axis = unit(given.axis);
+  return axis.z() == -1 ? AxisAngle{-axis, -given.degrees} : AxisAngle{axis, given.degrees};
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ Placement Motion::at(double time) const {
                 a.translation + t * (b.translation - a.translation));
 }
 
-Turn Motion::turn(double time) const {
+AxisAngle Motion::axis_angle(double time) const {
   const auto after = std::find_if(keyframes_.begin(), keyframes_.end(),
                                   [&](const Keyframe& key) { return key.time > time; });
   if (after == keyframes_.begin() || after == keyframes_.end()) {
@@ -110,7 +110,7 @@ Turn Motion::turn(double time) const {
   }
   const Transform &a = (after - 1)->transform, &b = after->transform;
   const double t = (time - (after - 1)->time) / (after->time - (after - 1)->time);
-  if (const auto turn = turn_between(a, b, t)) return counter_clockwise(*turn);
+  if (const auto between = rotation_between(a, b, t)) return counter_clockwise(*between);
   const Eigen::AngleAxisd whole(between(a, b, t));
   return counter_clockwise({whole.axis(), whole.angle() * 180 / std::numbers::pi});
 }

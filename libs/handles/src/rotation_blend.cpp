@@ -16,7 +16,7 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-std::string turn_name(std::size_t h) {
+std::string rotation_name(std::size_t h) {
   return "rotations: the turn of handle " + std::to_string(h);
 }
 
@@ -26,24 +26,24 @@ struct Rotations {
   std::vector<double> angles;
 };
 
-Rotations rotations_of(const std::vector<Turn>& turns, int dim) {
+Rotations rotations_of(const std::vector<AxisAngle>& axis_angles, int dim) {
   Rotations result;
-  for (std::size_t h = 0; h < turns.size(); ++h) {
-    const Turn& turn = turns[h];
-    if (!std::isfinite(turn.degrees)) throw Error(turn_name(h) + " is not finite");
+  for (std::size_t h = 0; h < axis_angles.size(); ++h) {
+    const AxisAngle& given = axis_angles[h];
+    if (!std::isfinite(given.degrees)) throw Error(rotation_name(h) + " is not finite");
     Point axis = Point::UnitZ();
     if (dim == 3) {
-      if (!turn.axis.allFinite()) throw Error(turn_name(h) + " has an axis that is not finite");
-      if (turn.axis.isZero(0)) throw Error(turn_name(h) + " has an axis of length zero");
-      axis = (turn.axis / turn.axis.cwiseAbs().maxCoeff()).normalized();
+      if (!given.axis.allFinite()) throw Error(rotation_name(h) + " has an axis that is not finite");
+      if (given.axis.isZero(0)) throw Error(rotation_name(h) + " has an axis of length zero");
+      axis = (given.axis / given.axis.cwiseAbs().maxCoeff()).normalized();
     }
     result.axes.push_back(axis);
-    result.angles.push_back(turn.degrees * std::numbers::pi / 180);
+    result.angles.push_back(given.degrees * std::numbers::pi / 180);
   }
   return result;
 }
 
-// Turns the others to the axis of the first that turns at all.
+// Turns the others to the axis of the first that axis_angles at all.
 void share_axis(Rotations& rotations) {
   constexpr double same = 1e-12;
   std::size_t first = 0;
@@ -51,7 +51,7 @@ void share_axis(Rotations& rotations) {
   const Point axis = rotations.axes[first];
   for (std::size_t h = 0; h < rotations.axes.size(); ++h) {
     if (rotations.angles[h] != 0 && axis.cross(rotations.axes[h]).norm() > same)
-      throw Error(turn_name(h) + " has another axis than that of handle " + std::to_string(first) +
+      throw Error(rotation_name(h) + " has another axis than that of handle " + std::to_string(first) +
                   ": angles alone cannot be blended");
     if (axis.dot(rotations.axes[h]) < 0) rotations.angles[h] = -rotations.angles[h];
     rotations.axes[h] = axis;
@@ -103,16 +103,17 @@ void mean_weights(const assembly::Elements& elements, const HandleWeights& weigh
   }
 }
 
-void require_fit(const assembly::Elements& elements, const HandleWeights& weights, std::size_t turns) {
-  if (turns == 0 || at(weights.handles) != turns)
-    throw Error("rotations: " + std::to_string(turns) + " turns for the weights of " +
+void require_fit(const assembly::Elements& elements, const HandleWeights& weights, std::size_t axis_angles) {
+  if (axis_angles == 0 || at(weights.handles) != axis_angles)
+    throw Error("rotations: " + std::to_string(axis_angles) + " turns for the weights of " +
                 std::to_string(weights.handles) + " handles");
-  if (weights.values.size() != at(elements.node_count) * turns)
+  if (weights.values.size() != at(elements.node_count) * axis_angles)
     throw Error("rotations: " + std::to_string(weights.values.size()) + " weights for " +
-                std::to_string(elements.node_count) + " nodes and " + std::to_string(turns) + " handles");
+                std::to_string(elements.node_count) + " nodes and " + std::to_string(axis_angles) +
+                " handles");
   for (std::size_t i = 0; i < weights.values.size(); ++i)
     if (!std::isfinite(weights.values[i]))
-      throw Error("rotations: a weight of node " + std::to_string(i / turns) + " is not finite");
+      throw Error("rotations: a weight of node " + std::to_string(i / axis_angles) + " is not finite");
 }
 
 }  // namespace
@@ -122,15 +123,15 @@ RotationBlend default_blend(int dim) {
 }
 
 std::vector<double> blended_rotations(const assembly::Elements& elements, const HandleWeights& weights,
-                                      const std::vector<Turn>& turns, RotationBlend blend) {
+                                      const std::vector<AxisAngle>& axis_angles, RotationBlend blend) {
   elements.validate();
-  require_fit(elements, weights, turns.size());
+  require_fit(elements, weights, axis_angles.size());
   const int dim = elements.dim;
-  Rotations rotations = rotations_of(turns, dim);
+  Rotations rotations = rotations_of(axis_angles, dim);
   if (blend == RotationBlend::angle) share_axis(rotations);
   const bool by_vector = blend == RotationBlend::angle || blend == RotationBlend::rotation_vector;
   const auto quaternions = quaternions_of(rotations, blend == RotationBlend::aligned_quaternion);
-  std::vector<double> result, share(turns.size());
+  std::vector<double> result, share(axis_angles.size());
   result.reserve(at(elements.element_count()) * at(dim * dim));
   for (int e = 0; e < elements.element_count(); ++e) {
     mean_weights(elements, weights, e, share);

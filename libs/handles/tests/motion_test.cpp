@@ -83,19 +83,19 @@ TEST_CASE("between different axes the rotation goes the shortest way, evenly") {
 TEST_CASE("turns keep their windings where the axis stays, and say what placements do") {
   const Motion far =
       motion({{0, {}}, {1, {.axis = 3 * x, .degrees = 720}}, {2, {.axis = -x, .degrees = 90}}});
-  CHECK(far.turn(-1).degrees == 0);
-  CHECK(far.turn(0.75).degrees == 540);
-  CHECK(far.turn(0.75).axis == x);
-  CHECK(far.turn(1.5).degrees == doctest::Approx(315));
-  CHECK(far.turn(9).degrees == 90);
-  CHECK(motion({{0, {.axis = -2 * z, .degrees = 270}}}).turn(0).degrees == -270);
-  CHECK(motion({{0, {.axis = -2 * z, .degrees = 270}}}).turn(0).axis == z);
+  CHECK(far.axis_angle(-1).degrees == 0);
+  CHECK(far.axis_angle(0.75).degrees == 540);
+  CHECK(far.axis_angle(0.75).axis == x);
+  CHECK(far.axis_angle(1.5).degrees == doctest::Approx(315));
+  CHECK(far.axis_angle(9).degrees == 90);
+  CHECK(motion({{0, {.axis = -2 * z, .degrees = 270}}}).axis_angle(0).degrees == -270);
+  CHECK(motion({{0, {.axis = -2 * z, .degrees = 270}}}).axis_angle(0).axis == z);
   const Motion mixed = motion({{0, {.axis = z, .degrees = 90}}, {1, {.axis = x, .degrees = 90}}});
   for (const Motion& m : {far, mixed})
     for (const double t : {-1.0, 0.0, 0.3, 0.8, 1.0, 1.7, 3.0}) {
-      const Turn turn = m.turn(t);
-      CHECK(turn.axis.norm() == doctest::Approx(1));
-      const Eigen::AngleAxisd rotation(turn.degrees * std::acos(-1.0) / 180, turn.axis);
+      const AxisAngle given = m.axis_angle(t);
+      CHECK(given.axis.norm() == doctest::Approx(1));
+      const Eigen::AngleAxisd rotation(given.degrees * std::acos(-1.0) / 180, given.axis);
       CHECK((rotation.toRotationMatrix() - m.at(t).linear).norm() < 1e-13);
     }
 }

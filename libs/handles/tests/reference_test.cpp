@@ -46,7 +46,7 @@ assembly::Elements elements_of(const json& j) {
   return assembly::elements_from(mesh::elements(mesh));
 }
 
-Turn turn_of(const json& rotation) {
+AxisAngle axis_angle_of(const json& rotation) {
   if (rotation.is_number()) return {Point::UnitZ(), rotation.get<double>() * 180 / std::numbers::pi};
   const auto q = rotation.get<std::vector<double>>();
   const Point vector(q[1], q[2], q[3]);
@@ -97,15 +97,16 @@ TEST_CASE("weights of the reference instances" * outside_data({"sdp"})) {
 
 TEST_CASE("rotations of the reference instances from their weights" * outside_data({"sdp"})) {
   for_each_instance([](const json& j) {
-    std::vector<Turn> turns;
-    for (const auto& handle : j["handles"]) turns.push_back(turn_of(handle["rotation"]));
+    std::vector<AxisAngle> axis_angles;
+    for (const auto& handle : j["handles"]) axis_angles.push_back(axis_angle_of(handle["rotation"]));
     std::vector<double> expected;
     for (const auto& R : j["ex_rotations_rowmajor"]) {
       const std::size_t dim = R.size() == 4 ? 2 : 3;
       for (std::size_t k = 0; k < R.size(); ++k) expected.push_back(R[k % dim * dim + k / dim]);
     }
     // Those in the plane too were blended by half angles.
-    const auto rotations = blended_rotations(elements_of(j), weights_of(j), turns, RotationBlend::quaternion);
+    const auto rotations =
+        blended_rotations(elements_of(j), weights_of(j), axis_angles, RotationBlend::quaternion);
     CHECK(largest_difference(rotations, expected) < 1e-9);
   });
 }

@@ -39,16 +39,17 @@ HandleWeights everywhere(const assembly::Elements& elements, const std::vector<d
 }
 
 // Of the first element in 2D, in degrees from -180 to 180.
-double angle(const std::vector<double>& shares, const std::vector<Turn>& turns, RotationBlend blend) {
-  const auto R = blended_rotations(square(), everywhere(square(), shares), turns, blend);
+double angle(const std::vector<double>& shares, const std::vector<AxisAngle>& axis_angles,
+             RotationBlend blend) {
+  const auto R = blended_rotations(square(), everywhere(square(), shares), axis_angles, blend);
   CHECK(R.size() == 8);
   CHECK(R[0] * R[3] - R[1] * R[2] == doctest::Approx(1).epsilon(1e-14));
   return std::atan2(R[1], R[0]) * 180 / std::numbers::pi;
 }
 
-Eigen::Matrix3d rotation(const std::vector<double>& shares, const std::vector<Turn>& turns,
+Eigen::Matrix3d rotation(const std::vector<double>& shares, const std::vector<AxisAngle>& axis_angles,
                          RotationBlend blend) {
-  const auto R = blended_rotations(cube(), everywhere(cube(), shares), turns, blend);
+  const auto R = blended_rotations(cube(), everywhere(cube(), shares), axis_angles, blend);
   REQUIRE(R.size() == 54);
   const Eigen::Matrix3d first = Eigen::Map<const Eigen::Matrix3d>(R.data());
   CHECK((first.transpose() * first - Eigen::Matrix3d::Identity()).norm() < 1e-14);
@@ -81,21 +82,21 @@ TEST_CASE("in space about one axis all blends are those of the plane") {
   const auto about = [&](double degrees) {
     return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis.normalized()).toRotationMatrix();
   };
-  const std::vector<Turn> turns{{axis, 0}, {-axis, -270}};
+  const std::vector<AxisAngle> axis_angles{{axis, 0}, {-axis, -270}};
   for (const RotationBlend blend :
        {RotationBlend::angle, RotationBlend::quaternion, RotationBlend::rotation_vector})
-    CHECK((rotation({0.5, 0.5}, turns, blend) - about(135)).norm() < 1e-14);
-  CHECK((rotation({0.5, 0.5}, turns, RotationBlend::aligned_quaternion) - about(-45)).norm() < 1e-14);
+    CHECK((rotation({0.5, 0.5}, axis_angles, blend) - about(135)).norm() < 1e-14);
+  CHECK((rotation({0.5, 0.5}, axis_angles, RotationBlend::aligned_quaternion) - about(-45)).norm() < 1e-14);
   CHECK((rotation({0.5, 0.5}, {{x, 0}, {axis, 90}}, RotationBlend::angle) - about(45)).norm() < 1e-14);
   CHECK((rotation({0.2, 0.8}, {{axis, 100}, {axis, 1000}}, RotationBlend::angle) - about(820)).norm() <
         1e-13);
 }
 
 TEST_CASE("a handle that has all the weight gives its own rotation") {
-  const std::vector<Turn> turns{{x, 90}, {y, 200}, {z, -30}};
+  const std::vector<AxisAngle> axis_angles{{x, 90}, {y, 200}, {z, -30}};
   for (const RotationBlend blend :
        {RotationBlend::quaternion, RotationBlend::aligned_quaternion, RotationBlend::rotation_vector}) {
-    const Eigen::Matrix3d R = rotation({0, 1, 0}, turns, blend);
+    const Eigen::Matrix3d R = rotation({0, 1, 0}, axis_angles, blend);
     CHECK((R - Eigen::AngleAxisd(200 * std::numbers::pi / 180, y).toRotationMatrix()).norm() < 1e-14);
   }
 }
@@ -110,11 +111,12 @@ TEST_CASE("an element takes the mean of its nodes") {
 
 TEST_CASE("blends that make no sense are errors") {
   const HandleWeights half = everywhere(square(), {0.5, 0.5}), in_space = everywhere(cube(), {0.5, 0.5});
-  const auto flat = [&](const std::vector<Turn>& turns, RotationBlend blend = RotationBlend::quaternion) {
-    blended_rotations(square(), half, turns, blend);
+  const auto flat = [&](const std::vector<AxisAngle>& axis_angles,
+                        RotationBlend blend = RotationBlend::quaternion) {
+    blended_rotations(square(), half, axis_angles, blend);
   };
-  const auto solid = [&](const std::vector<Turn>& turns, RotationBlend blend) {
-    blended_rotations(cube(), in_space, turns, blend);
+  const auto solid = [&](const std::vector<AxisAngle>& axis_angles, RotationBlend blend) {
+    blended_rotations(cube(), in_space, axis_angles, blend);
   };
   CHECK_THROWS_WITH_AS(flat({{}, {z, 360}}), doctest::Contains("element 0"), Error);
   CHECK_THROWS_WITH_AS(flat({{}}), doctest::Contains("1 turns"), Error);

@@ -199,21 +199,21 @@ TEST_CASE("the rotation gradient at uniform scaling") {
 
 // Expanded in sigma - 1, the result was off by 1e-10 here.
 TEST_CASE("det F - 1 keeps its digits at rest and at any aspect ratio") {
-  const Stretch<2, double> thin{{1e6, 5e-7}};
+  const PrincipalStretches<2, double> thin{{1e6, 5e-7}};
   CHECK(std::abs(thin.J_minus_one() + 0.5) < 1e-15);
-  const Stretch<3, double> slab{{1e8, 1.0, 5e-9}};
+  const PrincipalStretches<3, double> slab{{1e8, 1.0, 5e-9}};
   CHECK(std::abs(slab.J_minus_one() + 0.5) < 1e-15);
   const double e = 0x1p-40;
-  const Stretch<3, double> rest{{1 + 3 * e, 1 + e, 1 - 2 * e}};
+  const PrincipalStretches<3, double> rest{{1 + 3 * e, 1 + e, 1 - 2 * e}};
   CHECK(rest.J_minus_one() == doctest::Approx(2 * e - 5 * e * e - 6 * e * e * e).epsilon(1e-15));
-  const Stretch<2, double> close{{1 + e, 1 - e}};
+  const PrincipalStretches<2, double> close{{1 + e, 1 - e}};
   CHECK(close.J_minus_one() == doctest::Approx(-e * e).epsilon(1e-15));
 }
 
 TEST_CASE("sigma - product of the others keeps its digits at rest and near zero") {
   const double e = 0x1p-40;
-  const Stretch<3, double> rest{{1 + 2 * e, 1 + e, 1 + e}};
+  const PrincipalStretches<3, double> rest{{1 + 2 * e, 1 + e, 1 + e}};
   CHECK(rest.minus_others(0) == doctest::Approx(-e * e).epsilon(1e-15));
-  const Stretch<3, double> tiny{{3e-6, 2e-6, 1e-6}};
+  const PrincipalStretches<3, double> tiny{{3e-6, 2e-6, 1e-6}};
   CHECK(tiny.minus_others(0) == doctest::Approx(3e-6 - 2e-12).epsilon(1e-15));
 }

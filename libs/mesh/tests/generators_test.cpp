@@ -32,10 +32,10 @@ double quality(const TetMesh& mesh, Eigen::Index t) {
 
 // One closed surface like a sphere, vertices of the inside left out.
 void check_is_one_ball(const TetMesh& mesh) {
-  const Report inside = check(mesh);
+  const MeshDiagnostics inside = check(mesh);
   CHECK(inside.clean());
   CHECK(inside.components == 1);
-  const Report outside = check(boundary_surface(mesh).mesh);
+  const MeshDiagnostics outside = check(boundary_surface(mesh).mesh);
   CHECK(outside.clean());
   CHECK(outside.components == 1);
   CHECK(outside.boundary_loops == 0);
@@ -54,7 +54,7 @@ TEST_CASE("a crossed grid: corners first, then centres, four triangles around ea
   const OrientationReport report = orientation(Points2(mesh.vertices.leftCols<2>()), mesh.triangles);
   CHECK(report.smallest_area == doctest::Approx(3.0 / 96));
   CHECK(report.total_area == doctest::Approx(3));
-  const Report found = check(mesh);
+  const MeshDiagnostics found = check(mesh);
   CHECK(found.clean());
   CHECK(found.boundary_loops == 1);
   for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) CHECK(mesh.triangles(t, 2) >= 35);

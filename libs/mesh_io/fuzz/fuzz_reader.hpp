@@ -1,7 +1,7 @@
 #pragma once
 
 // What the fuzzers of all readers share. An Error is the right answer to a bad file; everything else that is
-// not a mesh with valid indices and finite coordinates is a finding.
+// not a mesh with valid indices and finite coordinates is a defect.
 #include <isostretch/core/error.hpp>
 #include <isostretch/mesh_io/io.hpp>
 #include <isostretch/surface/check.hpp>
@@ -28,8 +28,8 @@ template <class Parse>
 void read(const std::uint8_t* data, std::size_t size, const Parse& parse) {
   const std::string_view contents(reinterpret_cast<const char*>(data), size);
   try {
-    const Report report = check(parse(contents, "input", options_from(contents)));
-    if (!report.indices_valid || report.count(Kind::not_finite) > 0) __builtin_trap();
+    const MeshDiagnostics report = check(parse(contents, "input", options_from(contents)));
+    if (!report.indices_valid || report.count(DefectKind::not_finite) > 0) __builtin_trap();
   } catch (const Error&) {
     return;
   }

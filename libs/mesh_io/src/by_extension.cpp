@@ -1,5 +1,5 @@
 #include "file.hpp"
-#include "source.hpp"
+#include "input_cursor.hpp"
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/mesh_io/io.hpp>

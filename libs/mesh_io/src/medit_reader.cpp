@@ -1,7 +1,7 @@
 #include "elements.hpp"
 #include "file.hpp"
+#include "input_cursor.hpp"
 #include "number.hpp"
-#include "source.hpp"
 
 #include <isostretch/mesh_io/io.hpp>
 
@@ -34,31 +34,31 @@ bool is_letter(char c) {
 class MeditReader {
  public:
   MeditReader(std::string_view text, const std::string& name, Wanted wanted, const ReadOptions& options)
-      : source_(text, name), elements_(wanted, options) {
-    source_.set_comments(true);
+      : cursor_(text, name), elements_(wanted, options) {
+    cursor_.set_comments(true);
   }
 
   MixedMesh read() {
     header();
     sections();
     for (const auto& [section, position] : postponed_) {
-      source_.seek(position);
+      cursor_.seek(position);
       read_elements(*section);
     }
     order_edge_nodes();
-    return {std::move(vertices_), std::move(elements_), source_.place()};
+    return {std::move(vertices_), std::move(elements_), cursor_.place()};
   }
 
  private:
   void header() {
-    if (lower(source_.word()) != "meshversionformatted")
-      source_.fail("not a MEDIT file: it does not begin with MeshVersionFormatted");
-    source_.text_integer("version");
+    if (lower(cursor_.word()) != "meshversionformatted")
+      cursor_.fail("not a MEDIT file: it does not begin with MeshVersionFormatted");
+    cursor_.text_integer("version");
   }
 
   void sections() {
-    for (std::string_view word = source_.word(); !word.empty(); word = source_.word()) {
-      if (!is_letter(word.front())) source_.fail("keyword expected, not " + quoted(word));
+    for (std::string_view word = cursor_.word(); !word.empty(); word = cursor_.word()) {
+      if (!is_letter(word.front())) cursor_.fail("keyword expected, not " + quoted(word));
       const std::string keyword = lower(word);
       if (keyword == "end") return;
       if (keyword == "dimension")
@@ -79,27 +79,27 @@ class MeditReader {
   }
 
   void dimension() {
-    const std::int64_t given = source_.text_integer("dimension");
-    if (given != 2 && given != 3) source_.fail("dimension " + std::to_string(given) + " is neither 2 nor 3");
+    const std::int64_t given = cursor_.text_integer("dimension");
+    if (given != 2 && given != 3) cursor_.fail("dimension " + std::to_string(given) + " is neither 2 nor 3");
     dimension_ = static_cast<int>(given);
   }
 
   void vertices() {
-    if (dimension_ == 0) source_.fail("Vertices before Dimension");
-    if (has_vertices_) source_.fail("Vertices for the second time");
+    if (dimension_ == 0) cursor_.fail("Vertices before Dimension");
+    if (has_vertices_) cursor_.fail("Vertices for the second time");
     has_vertices_ = true;
-    const int count = source_.text_count("number of vertices", 2 * static_cast<std::size_t>(dimension_ + 1));
+    const int count = cursor_.text_count("number of vertices", 2 * static_cast<std::size_t>(dimension_ + 1));
     vertices_.assign(3 * static_cast<std::size_t>(count), 0.0);
     for (double* v = vertices_.data(); v < vertices_.data() + vertices_.size(); v += 3) {
-      for (int a = 0; a < dimension_; ++a) v[a] = source_.text_coordinate(axis_labels[a]);
+      for (int a = 0; a < dimension_; ++a) v[a] = cursor_.text_coordinate(axis_labels[a]);
       reference();
     }
   }
 
   // Some programs write it as a real number, which names no group; 0 is none.
   std::vector<std::int64_t> reference() {
-    const std::string_view word = source_.word();
-    if (word.empty()) source_.fail("missing reference");
+    const std::string_view word = cursor_.word();
+    if (word.empty()) cursor_.fail("missing reference");
     const Parsed<std::int64_t> parsed = parse_integer(word);
     if (!parsed.fault.empty() || parsed.value == 0) return {};
     return {parsed.value};
@@ -107,7 +107,7 @@ class MeditReader {
 
   // Elements may stand before the vertices that they name.
   void elements(const Section& section) {
-    if (!has_vertices_) postponed_.emplace_back(&section, source_.position());
+    if (!has_vertices_) postponed_.emplace_back(&section, cursor_.position());
     if (!has_vertices_)
       skip_numbers();
     else
@@ -116,7 +116,7 @@ class MeditReader {
 
   void read_elements(const Section& section) {
     const int count =
-        source_.text_count("number of elements", 2 * static_cast<std::size_t>(section.kind.nodes + 1));
+        cursor_.text_count("number of elements", 2 * static_cast<std::size_t>(section.kind.nodes + 1));
     for (int e = 0; e < count; ++e) {
       if (elements_.wants(section.kind))
         element(section.kind);
@@ -127,17 +127,17 @@ class MeditReader {
 
   void element(CellKind kind) {
     corners_.clear();
-    Place place = source_.place();
+    Place place = cursor_.place();
     for (int c = 0; c < kind.nodes; ++c) {
-      corners_.push_back(source_.index(Scalar::int32, "vertex index", 1, vertices_.size() / 3));
-      if (c == 0) place.position = source_.place().position;
+      corners_.push_back(cursor_.index(Scalar::int32, "vertex index", 1, vertices_.size() / 3));
+      if (c == 0) place.position = cursor_.place().position;
     }
     elements_.add(kind, corners_, place, {0, 0, reference()});
   }
 
   void skip_element(const Section& section) {
     for (int c = 0; c <= section.kind.nodes; ++c)
-      if (source_.word().empty()) source_.fail("the file ends within " + std::string(section.keyword));
+      if (cursor_.word().empty()) cursor_.fail("the file ends within " + std::string(section.keyword));
     elements_.skip(section.kind);
   }
 
@@ -171,10 +171,10 @@ class MeditReader {
 
   // To the next keyword.
   void skip_numbers() {
-    while (!source_.empty() && !is_letter(source_.contents()[source_.position()])) source_.word();
+    while (!cursor_.empty() && !is_letter(cursor_.contents()[cursor_.position()])) cursor_.word();
   }
 
-  Source source_;
+  InputCursor cursor_;
   ElementList elements_;
   int dimension_ = 0;
   bool has_vertices_ = false;

@@ -1,8 +1,8 @@
 #include "characters.hpp"
 #include "file.hpp"
+#include "input_cursor.hpp"
 #include "msh_elements.hpp"
 #include "number.hpp"
-#include "source.hpp"
 #include "tag_map.hpp"
 
 #include <isostretch/mesh_io/io.hpp>
@@ -20,28 +20,28 @@ constexpr Scalar size_type = Scalar::uint64;  // counts of version 4
 class MshReader {
  public:
   MshReader(std::string_view contents, const std::string& name, Wanted wanted, const ReadOptions& options)
-      : source_(contents, name), elements_(wanted, options) {}
+      : cursor_(contents, name), elements_(wanted, options) {}
 
   MixedMesh read() {
     format();
     if (version_ == MshVersion::v2_2) elements_.merge_copies_of_groups();
-    while (!source_.empty()) section();
-    return {std::move(vertices_), std::move(elements_), source_.place()};
+    while (!cursor_.empty()) section();
+    return {std::move(vertices_), std::move(elements_), cursor_.place()};
   }
 
  private:
   void format() {
-    if (source_.word() != "$MeshFormat") source_.fail("not an MSH file: it does not begin with $MeshFormat");
+    if (cursor_.word() != "$MeshFormat") cursor_.fail("not an MSH file: it does not begin with $MeshFormat");
     version();
-    const std::int64_t type = source_.text_integer("file type");
-    if (type != 0 && type != 1) source_.fail("file type " + std::to_string(type) + " is neither 0 nor 1");
-    if (source_.text_integer("data size") != 8) source_.fail("data size is not 8");
+    const std::int64_t type = cursor_.text_integer("file type");
+    if (type != 0 && type != 1) cursor_.fail("file type " + std::to_string(type) + " is neither 0 nor 1");
+    if (cursor_.text_integer("data size") != 8) cursor_.fail("data size is not 8");
     if (type == 1) byte_order();
     expect("$EndMeshFormat");
   }
 
   void version() {
-    const std::string_view given = source_.word();
+    const std::string_view given = cursor_.word();
     if (given == "2" || given == "2.0" || given == "2.1" || given == "2.2")
       version_ = MshVersion::v2_2;
     else if (given == "4" || given == "4.0")
@@ -49,24 +49,24 @@ class MshReader {
     else if (given == "4.1")
       version_ = MshVersion::v4_1;
     else
-      source_.fail("version " + quoted(given) + " is none of 2.0 to 2.2, 4.0 and 4.1");
+      cursor_.fail("version " + quoted(given) + " is none of 2.0 to 2.2, 4.0 and 4.1");
   }
 
   // A one in the byte order of the file.
   void byte_order() {
-    source_.line();
-    source_.set_coding(Coding::little_endian);
-    const std::size_t start = source_.position();
-    if (source_.integer(Scalar::int32, "number 1") == 1) return;
-    source_.seek(start);
-    source_.set_coding(Coding::big_endian);
-    if (source_.integer(Scalar::int32, "number 1") != 1) source_.fail("a number 1 should follow the format");
+    cursor_.line();
+    cursor_.set_coding(Coding::little_endian);
+    const std::size_t start = cursor_.position();
+    if (cursor_.integer(Scalar::int32, "number 1") == 1) return;
+    cursor_.seek(start);
+    cursor_.set_coding(Coding::big_endian);
+    if (cursor_.integer(Scalar::int32, "number 1") != 1) cursor_.fail("a number 1 should follow the format");
   }
 
   void section() {
-    const std::string_view keyword = source_.word();
+    const std::string_view keyword = cursor_.word();
     if (keyword.size() < 2 || keyword.front() != '$')
-      source_.fail("section expected, not " + quoted(keyword));
+      cursor_.fail("section expected, not " + quoted(keyword));
     if (keyword == "$Nodes")
       nodes();
     else if (keyword == "$Elements")
@@ -84,19 +84,19 @@ class MshReader {
   // The end of the section is looked for: what it holds need not be known.
   void skip_section(std::string_view keyword) {
     const std::string end = "$End" + std::string(keyword.substr(1));
-    const std::size_t found = source_.contents().find(end, source_.position());
-    if (found == std::string_view::npos) source_.fail("section " + quoted(keyword) + " does not end");
-    source_.seek(found + end.size());
+    const std::size_t found = cursor_.contents().find(end, cursor_.position());
+    if (found == std::string_view::npos) cursor_.fail("section " + quoted(keyword) + " does not end");
+    cursor_.seek(found + end.size());
   }
 
   // Text in binary files too: dimension, number, name in quotes.
   void physical_names() {
-    for (int i = source_.text_count("number of names", 6); i > 0; --i) {
-      const std::int64_t dimension = source_.text_integer("dimension");
-      const std::int64_t number = source_.text_integer("number of a physical group");
-      std::string_view name = trimmed(source_.line());
+    for (int i = cursor_.text_count("number of names", 6); i > 0; --i) {
+      const std::int64_t dimension = cursor_.text_integer("dimension");
+      const std::int64_t number = cursor_.text_integer("number of a physical group");
+      std::string_view name = trimmed(cursor_.line());
       if (name.size() < 2 || name.front() != '"' || name.back() != '"')
-        source_.fail("name of a physical group is not in quotes");
+        cursor_.fail("name of a physical group is not in quotes");
       elements_.name_group(static_cast<int>(dimension), number, name.substr(1, name.size() - 2));
     }
     expect("$EndPhysicalNames");
@@ -104,16 +104,16 @@ class MshReader {
 
   // In which physical groups points, curves, surfaces and volumes are.
   void entities() {
-    source_.line();
+    cursor_.line();
     all_entities(false);
     expect("$EndEntities");
   }
 
   // Parts of the others, of which elements are once the mesh is partitioned; with groups of their own.
   void partitioned_entities() {
-    source_.line();
-    source_.integer(size_type, "number of partitions");
-    for (int i = source_.count(size_type, "number of ghost entities", 4); i > 0; --i)
+    cursor_.line();
+    cursor_.integer(size_type, "number of partitions");
+    for (int i = cursor_.count(size_type, "number of ghost entities", 4); i > 0; --i)
       skip_integers(2, "ghost entity");
     all_entities(true);
     expect("$EndPartitionedEntities");
@@ -121,135 +121,135 @@ class MshReader {
 
   void all_entities(bool partitioned) {
     std::array<int, 4> counts{};
-    for (int& count : counts) count = source_.count(size_type, "number of entities", 4);
+    for (int& count : counts) count = cursor_.count(size_type, "number of entities", 4);
     for (std::size_t dimension = 0; dimension < counts.size(); ++dimension)
       for (int i = 0; i < counts[dimension]; ++i) one_entity(static_cast<int>(dimension), partitioned);
   }
 
   void one_entity(int dimension, bool partitioned) {
-    const std::int64_t tag = source_.integer(Scalar::int32, "entity");
+    const std::int64_t tag = cursor_.integer(Scalar::int32, "entity");
     if (partitioned) {
       skip_integers(2, "entity that this one is part of");
-      skip_integers(source_.count(size_type, "number of partitions", sizeof(std::int32_t)), "partition");
+      skip_integers(cursor_.count(size_type, "number of partitions", sizeof(std::int32_t)), "partition");
     }
     const int place = dimension == 0 && version_ == MshVersion::v4_1 ? 3 : 6;  // a point, or a box
     for (int i = 0; i < place; ++i) skip_number();
     auto& groups = groups_of_entity_[{dimension, tag}];
-    for (int i = source_.count(size_type, "number of physical groups", sizeof(std::int32_t)); i > 0; --i)
-      groups.push_back(std::abs(source_.integer(Scalar::int32, "physical group")));  // a sign is a direction
+    for (int i = cursor_.count(size_type, "number of physical groups", sizeof(std::int32_t)); i > 0; --i)
+      groups.push_back(std::abs(cursor_.integer(Scalar::int32, "physical group")));  // a sign is a direction
     if (dimension == 0) return;
-    skip_integers(source_.count(size_type, "number of bounding entities", sizeof(std::int32_t)),
+    skip_integers(cursor_.count(size_type, "number of bounding entities", sizeof(std::int32_t)),
                   "bounding entity");
   }
 
   void skip_integers(int count, const char* what) {
-    for (; count > 0; --count) source_.integer(Scalar::int32, what);
+    for (; count > 0; --count) cursor_.integer(Scalar::int32, what);
   }
 
   // Of a box that is empty, whose numbers need not be finite.
   void skip_number() {
-    if (source_.binary())
-      source_.bytes(sizeof(double), "box of an entity");
-    else if (source_.word().empty())
-      source_.fail("the file ends within an entity");
+    if (cursor_.binary())
+      cursor_.bytes(sizeof(double), "box of an entity");
+    else if (cursor_.word().empty())
+      cursor_.fail("the file ends within an entity");
   }
 
   void expect(const char* keyword) {
-    const std::string_view found = source_.word();
+    const std::string_view found = cursor_.word();
     if (found != keyword)
-      source_.fail(found.empty() ? std::string("the file ends where ") + keyword + " should be"
+      cursor_.fail(found.empty() ? std::string("the file ends where ") + keyword + " should be"
                                  : std::string(keyword) + " expected, not " + quoted(found));
   }
 
   void nodes() {
-    if (has_elements_) source_.fail("nodes after elements");
+    if (has_elements_) cursor_.fail("nodes after elements");
     if (version_ == MshVersion::v2_2)
       nodes_in_one();
     else
       nodes_in_blocks();
     expect("$EndNodes");
-    if (tags_.size() > static_cast<std::size_t>(largest_count)) source_.fail("too many nodes");
+    if (tags_.size() > static_cast<std::size_t>(largest_count)) cursor_.fail("too many nodes");
   }
 
   Scalar tag_type() const { return version_ == MshVersion::v4_1 ? size_type : Scalar::int32; }
 
   // Of a tag and a point.
-  std::size_t node_size() const { return source_.binary() ? size_of(tag_type()) + 3 * sizeof(double) : 8; }
+  std::size_t node_size() const { return cursor_.binary() ? size_of(tag_type()) + 3 * sizeof(double) : 8; }
 
   void nodes_in_one() {
-    const int count = source_.text_count("number of nodes", node_size());
-    source_.line();
-    source_.set_by_line(true);
+    const int count = cursor_.text_count("number of nodes", node_size());
+    cursor_.line();
+    cursor_.set_by_line(true);
     for (int i = 0; i < count; ++i) {
-      source_.next_line();
-      tags_.add(source_.integer(tag_type(), "node"));
+      cursor_.next_line();
+      tags_.add(cursor_.integer(tag_type(), "node"));
       point();
     }
     leave_lines();
   }
 
   void nodes_in_blocks() {
-    source_.line();
-    const int blocks = source_.count(size_type, "number of blocks", 8);
-    const int total = source_.count(size_type, "number of nodes", node_size());
+    cursor_.line();
+    const int blocks = cursor_.count(size_type, "number of blocks", 8);
+    const int total = cursor_.count(size_type, "number of nodes", node_size());
     if (version_ == MshVersion::v4_1) skip_tag_range();
     const std::size_t before = tags_.size();
     for (int b = 0; b < blocks; ++b) node_block();
     const std::size_t found = tags_.size() - before;
     if (found != static_cast<std::size_t>(total))
-      source_.fail(std::to_string(found) + " nodes instead of " + std::to_string(total));
+      cursor_.fail(std::to_string(found) + " nodes instead of " + std::to_string(total));
   }
 
   void skip_tag_range() {
-    source_.integer(size_type, "smallest tag");
-    source_.integer(size_type, "largest tag");
+    cursor_.integer(size_type, "smallest tag");
+    cursor_.integer(size_type, "largest tag");
   }
 
   // Dimension and tag of an entity; the versions have them in different order.
   std::pair<int, std::int64_t> entity() {
-    const std::int64_t first = source_.integer(Scalar::int32, "entity");
-    const std::int64_t second = source_.integer(Scalar::int32, "entity");
+    const std::int64_t first = cursor_.integer(Scalar::int32, "entity");
+    const std::int64_t second = cursor_.integer(Scalar::int32, "entity");
     const bool dimension_first = version_ == MshVersion::v4_1;
     const std::int64_t dimension = dimension_first ? first : second;
-    if (dimension < 0 || dimension > 3) source_.fail("entity of dimension " + std::to_string(dimension));
+    if (dimension < 0 || dimension > 3) cursor_.fail("entity of dimension " + std::to_string(dimension));
     return {static_cast<int>(dimension), dimension_first ? second : first};
   }
 
   void node_block() {
     const int dimension = entity().first;
-    const bool parametric = source_.integer(Scalar::int32, "parametric") != 0;
-    const int count = source_.count(size_type, "number of nodes", node_size());
+    const bool parametric = cursor_.integer(Scalar::int32, "parametric") != 0;
+    const int count = cursor_.count(size_type, "number of nodes", node_size());
     const std::size_t parameters = parametric ? static_cast<std::size_t>(dimension) : 0;
     if (version_ == MshVersion::v4_1)
-      for (int i = 0; i < count; ++i) tags_.add(source_.integer(size_type, "node"));
-    source_.set_by_line(true);
+      for (int i = 0; i < count; ++i) tags_.add(cursor_.integer(size_type, "node"));
+    cursor_.set_by_line(true);
     for (int i = 0; i < count; ++i) {
-      source_.next_line();
-      if (version_ == MshVersion::v4_0) tags_.add(source_.integer(tag_type(), "node"));
+      cursor_.next_line();
+      if (version_ == MshVersion::v4_0) tags_.add(cursor_.integer(tag_type(), "node"));
       point();
-      if (source_.binary()) source_.bytes(parameters * sizeof(double), "parameters of the node");
+      if (cursor_.binary()) cursor_.bytes(parameters * sizeof(double), "parameters of the node");
     }
     leave_lines();
   }
 
   // What the last line holds beyond the numbers of interest is dropped with it.
   void leave_lines() {
-    source_.next_line();
-    source_.set_by_line(false);
+    cursor_.next_line();
+    cursor_.set_by_line(false);
   }
 
   void point() {
-    for (const char* axis : axis_labels) vertices_.push_back(source_.coordinate(Scalar::float64, axis));
+    for (const char* axis : axis_labels) vertices_.push_back(cursor_.coordinate(Scalar::float64, axis));
   }
 
   // Sections may be repeated; nodes come first.
   void elements() {
-    if (tags_.size() == 0) source_.fail("elements before nodes");
+    if (tags_.size() == 0) cursor_.fail("elements before nodes");
     if (!has_elements_) prepare_tags();
     has_elements_ = true;
     if (version_ != MshVersion::v2_2)
       elements_in_blocks();
-    else if (source_.binary())
+    else if (cursor_.binary())
       elements_in_runs();
     else
       elements_in_lines();
@@ -258,18 +258,18 @@ class MshReader {
 
   void prepare_tags() {
     const int repeated = tags_.prepare();
-    if (repeated >= 0) source_.fail("node " + std::to_string(tags_.tag(repeated)) + " for the second time");
+    if (repeated >= 0) cursor_.fail("node " + std::to_string(tags_.tag(repeated)) + " for the second time");
   }
 
   // Version 2 in text: tag, type, number of tags, tags, nodes.
   void elements_in_lines() {
-    const int count = source_.text_count("number of elements", 8);
-    source_.set_by_line(true);
+    const int count = cursor_.text_count("number of elements", 8);
+    cursor_.set_by_line(true);
     for (int e = 0; e < count; ++e) {
-      source_.next_line();
-      label_.number = source_.text_integer("element");
-      const CellKind kind = known_kind(source_.text_integer("type"));
-      read_tags(source_.text_count("number of tags", 2));
+      cursor_.next_line();
+      label_.number = cursor_.text_integer("element");
+      const CellKind kind = known_kind(cursor_.text_integer("type"));
+      read_tags(cursor_.text_count("number of tags", 2));
       element(kind, Scalar::int32);
     }
     leave_lines();
@@ -280,7 +280,7 @@ class MshReader {
     label_.groups.clear();
     label_.entity = 0;
     for (int t = 0; t < count; ++t) {
-      const std::int64_t tag = source_.integer(Scalar::int32, "tag");
+      const std::int64_t tag = cursor_.integer(Scalar::int32, "tag");
       if (t == 0 && tag != 0) label_.groups.push_back(std::abs(tag));
       if (t == 1) label_.entity = tag;
     }
@@ -288,17 +288,17 @@ class MshReader {
 
   // Version 2 in binary: runs of elements of one type and one number of tags.
   void elements_in_runs() {
-    const int total = source_.text_count("number of elements", sizeof(std::int32_t));
-    source_.line();
+    const int total = cursor_.text_count("number of elements", sizeof(std::int32_t));
+    cursor_.line();
     for (int done = 0; done < total;) {
-      const CellKind kind = known_kind(source_.integer(Scalar::int32, "type"));
-      const std::int64_t count = source_.integer(Scalar::int32, "number of elements");
-      const int tags = source_.count(Scalar::int32, "number of tags", sizeof(std::int32_t));
+      const CellKind kind = known_kind(cursor_.integer(Scalar::int32, "type"));
+      const std::int64_t count = cursor_.integer(Scalar::int32, "number of elements");
+      const int tags = cursor_.count(Scalar::int32, "number of tags", sizeof(std::int32_t));
       if (count < 1 || count > total - done)
-        source_.fail(std::to_string(count) + " elements where " + std::to_string(total - done) + " are left");
+        cursor_.fail(std::to_string(count) + " elements where " + std::to_string(total - done) + " are left");
       if (!skip_unwanted(kind, static_cast<int>(count), 1 + tags, Scalar::int32))
         for (std::int64_t e = 0; e < count; ++e) {
-          label_.number = source_.integer(Scalar::int32, "element");
+          label_.number = cursor_.integer(Scalar::int32, "element");
           read_tags(tags);
           element(kind, Scalar::int32);
         }
@@ -307,26 +307,26 @@ class MshReader {
   }
 
   void elements_in_blocks() {
-    source_.line();
-    const int blocks = source_.count(size_type, "number of blocks", 8);
-    const std::int64_t total = source_.integer(size_type, "number of elements");
+    cursor_.line();
+    const int blocks = cursor_.count(size_type, "number of blocks", 8);
+    const std::int64_t total = cursor_.integer(size_type, "number of elements");
     if (version_ == MshVersion::v4_1) skip_tag_range();
     std::int64_t done = 0;
     for (int b = 0; b < blocks; ++b) done += element_block();
-    if (done != total) source_.fail(std::to_string(done) + " elements instead of " + std::to_string(total));
+    if (done != total) cursor_.fail(std::to_string(done) + " elements instead of " + std::to_string(total));
   }
 
   std::int64_t element_block() {
     const auto groups = groups_of_entity_.find(entity());
     label_.groups = groups == groups_of_entity_.end() ? std::vector<std::int64_t>() : groups->second;
-    const CellKind kind = known_kind(source_.integer(Scalar::int32, "type"));
+    const CellKind kind = known_kind(cursor_.integer(Scalar::int32, "type"));
     const int count =
-        source_.count(size_type, "number of elements", source_.binary() ? size_of(tag_type()) : 4);
+        cursor_.count(size_type, "number of elements", cursor_.binary() ? size_of(tag_type()) : 4);
     if (skip_unwanted(kind, count, 1, tag_type())) return count;
-    source_.set_by_line(true);
+    cursor_.set_by_line(true);
     for (int e = 0; e < count; ++e) {
-      source_.next_line();
-      label_.number = source_.integer(tag_type(), "element");
+      cursor_.next_line();
+      label_.number = cursor_.integer(tag_type(), "element");
       element(kind, tag_type());
     }
     leave_lines();
@@ -335,18 +335,18 @@ class MshReader {
 
   CellKind known_kind(std::int64_t type) const {
     const CellKind kind = msh_kind(type);
-    if (kind.nodes == 0) source_.fail("elements of unknown type " + std::to_string(type));
+    if (kind.nodes == 0) cursor_.fail("elements of unknown type " + std::to_string(type));
     return kind;
   }
 
   // In binary; `before`: numbers in front of the nodes of each.
   bool skip_unwanted(CellKind kind, int count, int before, Scalar number) {
-    if (!source_.binary()) return false;
+    if (!cursor_.binary()) return false;
     const std::size_t size = size_of(number) * static_cast<std::size_t>(before + kind.nodes);
-    if (static_cast<std::size_t>(count) > source_.left() / size)
-      source_.fail("the file ends within the elements");
+    if (static_cast<std::size_t>(count) > cursor_.left() / size)
+      cursor_.fail("the file ends within the elements");
     if (elements_.wants(kind)) return false;
-    source_.bytes(size * static_cast<std::size_t>(count), "elements");
+    cursor_.bytes(size * static_cast<std::size_t>(count), "elements");
     elements_.skip(kind, count);
     return true;
   }
@@ -357,7 +357,7 @@ class MshReader {
       elements_.skip(kind);
       return;
     }
-    const Place place = source_.place();
+    const Place place = cursor_.place();
     corners_.clear();
     for (int c = 0; c < kind.nodes; ++c) corners_.push_back(node(number));
     if (kind == CellKind{Family::tet, 10}) std::swap(corners_[8], corners_[9]);  // to VTK's order
@@ -365,13 +365,13 @@ class MshReader {
   }
 
   int node(Scalar number) {
-    const std::int64_t tag = source_.integer(number, "node");
+    const std::int64_t tag = cursor_.integer(number, "node");
     const int position = tags_.find(tag);
-    if (position < 0) source_.fail("node " + std::to_string(tag) + " is not in the file");
+    if (position < 0) cursor_.fail("node " + std::to_string(tag) + " is not in the file");
     return position;
   }
 
-  Source source_;
+  InputCursor cursor_;
   ElementList elements_;
   MshVersion version_ = MshVersion::v4_1;
   bool has_elements_ = false;

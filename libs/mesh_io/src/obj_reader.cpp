@@ -1,8 +1,8 @@
 #include "obj_reader.hpp"
 
 #include "file.hpp"
+#include "input_cursor.hpp"
 #include "number.hpp"
-#include "source.hpp"
 
 #include <isostretch/mesh_io/io.hpp>
 
@@ -15,14 +15,14 @@ class ObjReader {
  public:
   ObjReader(std::string_view text, const std::string& name, const ReadOptions& options,
             ObjStatements* statements)
-      : source_(text, name), options_(options), faces_(options), statements_(statements) {
-    source_.set_comments(true);
-    source_.set_by_line(true);
-    source_.set_continued(true);
+      : cursor_(text, name), options_(options), faces_(options), statements_(statements) {
+    cursor_.set_comments(true);
+    cursor_.set_by_line(true);
+    cursor_.set_continued(true);
   }
 
   SurfaceMesh read() {
-    for (source_.next_line(); source_.left() > 0; source_.next_line()) statement();
+    for (cursor_.next_line(); cursor_.left() > 0; cursor_.next_line()) statement();
     return finish();
   }
 
@@ -30,11 +30,11 @@ class ObjReader {
   // The rest of the line of a comment or a name belongs to it, a backslash at its end included; only
   // statements of numbers go on in the next line.
   void statement() {
-    const std::size_t begin = source_.position();
-    const std::string_view keyword = source_.word();
+    const std::size_t begin = cursor_.position();
+    const std::string_view keyword = cursor_.word();
     if (keyword == "v") {
-      for (const char* what : axis_labels) vertices_.push_back(source_.text_coordinate(what));
-      source_.drop_words();  // a weight, a colour
+      for (const char* what : axis_labels) vertices_.push_back(cursor_.text_coordinate(what));
+      cursor_.drop_words();  // a weight, a colour
     } else if (keyword == "vt") {
       record(begin, texture_coordinate(), &ObjStatements::texture);
     } else if (keyword == "f") {
@@ -42,9 +42,9 @@ class ObjReader {
     } else if (keyword == "mtllib" && statements_) {
       statements_->materials = true;
     } else if (keyword == "vn" || keyword == "vp" || keyword == "p") {
-      source_.drop_words();
+      cursor_.drop_words();
     } else if (keyword == "l") {
-      record(begin, source_.drop_words(), &ObjStatements::lines);
+      record(begin, cursor_.drop_words(), &ObjStatements::lines);
     }
   }
 
@@ -54,22 +54,22 @@ class ObjReader {
 
   // Says where it ends.
   std::size_t texture_coordinate() {
-    if (!options_.read_uv) return source_.drop_words();
-    uv_.push_back(source_.text_coordinate("u coordinate"));
-    const std::size_t end = source_.position();
-    const bool one = source_.empty();
-    uv_.push_back(one ? 0.0 : source_.text_coordinate("v coordinate"));
-    return one ? end : source_.drop_words();
+    if (!options_.read_uv) return cursor_.drop_words();
+    uv_.push_back(cursor_.text_coordinate("u coordinate"));
+    const std::size_t end = cursor_.position();
+    const bool one = cursor_.empty();
+    uv_.push_back(one ? 0.0 : cursor_.text_coordinate("v coordinate"));
+    return one ? end : cursor_.drop_words();
   }
 
   void face(std::size_t begin) {
-    const Place place = source_.place();
+    const Place place = cursor_.place();
     polygon_.clear();
     uv_polygon_.clear();
-    std::size_t end = source_.position();
-    while (!source_.empty()) {
-      corner(source_.word());
-      end = source_.position();
+    std::size_t end = cursor_.position();
+    while (!cursor_.empty()) {
+      corner(cursor_.word());
+      end = cursor_.position();
     }
     if (!uv_polygon_.empty() && uv_polygon_.size() != polygon_.size())
       place.fail("only some corners of the face have a texture coordinate");
@@ -86,7 +86,7 @@ class ObjReader {
     const bool more = take_slash(word), without_uv = more && take_slash(word);
     if (more && !without_uv) texture_index(word);
     if (without_uv || (more && take_slash(word))) number(word, "normal index");
-    if (!word.empty()) source_.fail("face corner is not of the form v, v/t, v/t/n or v//n");
+    if (!word.empty()) cursor_.fail("face corner is not of the form v, v/t, v/t/n or v//n");
   }
 
   void texture_index(std::string_view& word) {
@@ -106,8 +106,8 @@ class ObjReader {
   int number(std::string_view& word, const std::string& what) const {
     int value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error == std::errc::result_out_of_range) source_.fail(what + " " + quoted(word) + " is too large");
-    if (error != std::errc()) source_.fail(what + " expected, not " + quoted(word));
+    if (error == std::errc::result_out_of_range) cursor_.fail(what + " " + quoted(word) + " is too large");
+    if (error != std::errc()) cursor_.fail(what + " expected, not " + quoted(word));
     word.remove_prefix(static_cast<std::size_t>(end - word.data()));
     return value;
   }
@@ -121,23 +121,23 @@ class ObjReader {
   int index(std::string_view& word, const char* what, std::size_t count, Highest& highest) const {
     const std::string label = std::string(what) + " index";
     const std::int64_t given = number(word, label);
-    if (given == 0) source_.fail(label + " 0: OBJ counts from 1");
+    if (given == 0) cursor_.fail(label + " 0: OBJ counts from 1");
     const std::int64_t found = given > 0 ? given - 1 : static_cast<std::int64_t>(count) + given;
     if (found < 0)
-      source_.fail(label + " " + std::to_string(given) + " reaches before the first of " +
+      cursor_.fail(label + " " + std::to_string(given) + " reaches before the first of " +
                    std::to_string(count));
-    if (found > highest.index) highest = {found, source_.place().position};
+    if (found > highest.index) highest = {found, cursor_.place().position};
     return static_cast<int>(found);
   }
 
   void require_in_range(const char* what, std::size_t count, const Highest& highest) const {
     if (highest.index < static_cast<std::int64_t>(count)) return;
-    source_.place(highest.position)
+    cursor_.place(highest.position)
         .fail(out_of_range((std::string(what) + " index").c_str(), highest.index + 1, count));
   }
 
   SurfaceMesh finish() const {
-    const Place end = source_.place(source_.contents().size());
+    const Place end = cursor_.place(cursor_.contents().size());
     if (vertices_.empty() && faces_.empty()) end.fail("no vertices and no faces");
     if (faces_.empty()) end.fail("no faces");
     require_in_range("vertex", vertices_.size() / 3, highest_vertex_);
@@ -145,7 +145,7 @@ class ObjReader {
     return faces_.surface(vertices_, uv_, end, statements_ ? &statements_->corners : nullptr);
   }
 
-  Source source_;
+  InputCursor cursor_;
   const ReadOptions& options_;
   FaceList faces_;
   ObjStatements* statements_;

@@ -10,7 +10,7 @@
 namespace isostretch::mesh {
 namespace {
 
-Scalar type_of(const Source& source, std::string_view name) {
+Scalar type_of(const InputCursor& cursor, std::string_view name) {
   constexpr std::array<std::pair<std::string_view, Scalar>, 16> types = {{
       {"char", Scalar::int8},
       {"int8", Scalar::int8},
@@ -31,38 +31,38 @@ Scalar type_of(const Source& source, std::string_view name) {
   }};
   for (const auto& [known, type] : types)
     if (known == name) return type;
-  source.fail("property of unknown type " + quoted(name));
+  cursor.fail("property of unknown type " + quoted(name));
 }
 
-Coding coding_of(Source& source) {
-  const std::string_view name = source.word();
+Coding coding_of(InputCursor& cursor) {
+  const std::string_view name = cursor.word();
   for (const auto& [known, coding] : {std::pair{"ascii", Coding::text},
                                       {"binary_little_endian", Coding::little_endian},
                                       {"binary_big_endian", Coding::big_endian}})
     if (name == known) return coding;
-  source.fail("unknown format " + quoted(name));
+  cursor.fail("unknown format " + quoted(name));
 }
 
-PlyElement element(Source& source) {
+PlyElement element(InputCursor& cursor) {
   PlyElement element;
-  element.name = source.word();
-  element.count = source.text_integer("number of elements");
-  element.place = source.place().position;
+  element.name = cursor.word();
+  element.count = cursor.text_integer("number of elements");
+  element.place = cursor.place().position;
   return element;
 }
 
-PlyProperty property(Source& source) {
+PlyProperty property(InputCursor& cursor) {
   PlyProperty property;
-  std::string_view type = source.word();
+  std::string_view type = cursor.word();
   property.list = type == "list";
   if (property.list) {
-    property.count_type = type_of(source, source.word());
-    if (is_real(property.count_type)) source.fail("the length of a list is not of an integer type");
-    type = source.word();
+    property.count_type = type_of(cursor, cursor.word());
+    if (is_real(property.count_type)) cursor.fail("the length of a list is not of an integer type");
+    type = cursor.word();
   }
-  property.type = type_of(source, type);
-  property.name = source.word();
-  if (property.name.empty()) source.fail("property without a name");
+  property.type = type_of(cursor, type);
+  property.name = cursor.word();
+  if (property.name.empty()) cursor.fail("property without a name");
   return property;
 }
 
@@ -74,31 +74,31 @@ std::size_t PlyElement::find(std::string_view property) const {
   return static_cast<std::size_t>(found - properties.begin());
 }
 
-std::vector<PlyElement> read_ply_header(Source& source) {
-  source.set_by_line(true);
-  if (source.word() != "ply") source.fail("not a PLY file: it does not begin with ply");
+std::vector<PlyElement> read_ply_header(InputCursor& cursor) {
+  cursor.set_by_line(true);
+  if (cursor.word() != "ply") cursor.fail("not a PLY file: it does not begin with ply");
   std::vector<PlyElement> elements;
   std::optional<Coding> coding;
   for (;;) {
-    source.next_line();
-    const std::string_view keyword = source.word();
+    cursor.next_line();
+    const std::string_view keyword = cursor.word();
     if (keyword == "end_header") break;
     if (keyword == "format") {
-      coding = coding_of(source);
+      coding = coding_of(cursor);
     } else if (keyword == "element") {
-      elements.push_back(element(source));
+      elements.push_back(element(cursor));
     } else if (keyword == "property") {
-      if (elements.empty()) source.fail("property before the first element");
-      elements.back().properties.push_back(property(source));
+      if (elements.empty()) cursor.fail("property before the first element");
+      elements.back().properties.push_back(property(cursor));
     } else if (keyword.empty()) {
-      source.fail("the file ends within its header");
+      cursor.fail("the file ends within its header");
     } else if (keyword != "comment" && keyword != "obj_info") {
-      source.fail("unknown statement " + quoted(keyword) + " in the header");
+      cursor.fail("unknown statement " + quoted(keyword) + " in the header");
     }
   }
-  if (!coding) source.fail("the header does not state a format");
-  source.line();  // binary data begin right after it
-  source.set_coding(*coding);
+  if (!coding) cursor.fail("the header does not state a format");
+  cursor.line();  // binary data begin right after it
+  cursor.set_coding(*coding);
   return elements;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "source.hpp"
+#include "input_cursor.hpp"
 
 #include <string_view>
 #include <vector>
@@ -25,6 +25,6 @@ struct PlyElement {
 };
 
 // Reads up to end_header and sets the coding; what follows are the elements in this order.
-std::vector<PlyElement> read_ply_header(Source& source);
+std::vector<PlyElement> read_ply_header(InputCursor& cursor);
 
 }  // namespace isostretch::mesh

@@ -14,10 +14,10 @@ namespace {
 class PlyReader {
  public:
   PlyReader(std::string_view contents, const std::string& name, const ReadOptions& options)
-      : source_(contents, name), options_(options), faces_(options) {}
+      : cursor_(contents, name), options_(options), faces_(options) {}
 
   SurfaceMesh read() {
-    for (const PlyElement& element : read_ply_header(source_)) {
+    for (const PlyElement& element : read_ply_header(cursor_)) {
       if (element.name == "vertex")
         vertices(element);
       else if (element.name == "face")
@@ -25,8 +25,8 @@ class PlyReader {
       else
         skip(element);
     }
-    if (faces_.empty()) source_.fail(vertices_.empty() ? "no vertices and no faces" : "no faces");
-    return faces_.surface(vertices_, uv_, source_.place());
+    if (faces_.empty()) cursor_.fail(vertices_.empty() ? "no vertices and no faces" : "no faces");
+    return faces_.surface(vertices_, uv_, cursor_.place());
   }
 
  private:
@@ -35,20 +35,20 @@ class PlyReader {
     if (element.properties.empty()) return 0;
     std::size_t bytes = 0;
     for (const PlyProperty& property : element.properties)
-      bytes += source_.binary() ? size_of(property.list ? property.count_type : property.type) : 2;
-    return source_.checked_count(element.count, "number of elements", bytes, source_.place(element.place));
+      bytes += cursor_.binary() ? size_of(property.list ? property.count_type : property.type) : 2;
+    return cursor_.checked_count(element.count, "number of elements", bytes, cursor_.place(element.place));
   }
 
   void skip_value(Scalar type) {
-    if (source_.binary())
-      source_.bytes(size_of(type), "property");
-    else if (source_.word().empty())
-      source_.fail("missing property");
+    if (cursor_.binary())
+      cursor_.bytes(size_of(type), "property");
+    else if (cursor_.word().empty())
+      cursor_.fail("missing property");
   }
 
   int list_length(const PlyProperty& property) {
-    return source_.count(property.count_type, "length of a list",
-                         source_.binary() ? size_of(property.type) : 2);
+    return cursor_.count(property.count_type, "length of a list",
+                         cursor_.binary() ? size_of(property.type) : 2);
   }
 
   void skip(const PlyProperty& property) {
@@ -58,7 +58,7 @@ class PlyReader {
 
   void skip(const PlyElement& element) {
     for (int i = item_count(element); i > 0; --i) {
-      source_.next_line();
+      cursor_.next_line();
       for (const PlyProperty& property : element.properties) skip(property);
     }
   }
@@ -74,7 +74,7 @@ class PlyReader {
     for (int a = 0; a < 3; ++a) {
       const std::size_t found = number(axes[a]);
       if (found == columns.size())
-        source_.place(element.place).fail(std::string("vertices have no property ") + axes[a]);
+        cursor_.place(element.place).fail(std::string("vertices have no property ") + axes[a]);
       columns[found] = a;
     }
     if (!options_.read_uv) return columns;
@@ -94,12 +94,12 @@ class PlyReader {
     constexpr const char* labels[] = {"x coordinate", "y coordinate", "z coordinate", "u coordinate",
                                       "v coordinate"};
     for (int i = item_count(element); i > 0; --i) {
-      source_.next_line();
+      cursor_.next_line();
       std::array<double, 5> values{};
       for (std::size_t p = 0; p < columns.size(); ++p)
         if (columns[p] >= 0)
           values[static_cast<std::size_t>(columns[p])] =
-              source_.coordinate(element.properties[p].type, labels[columns[p]]);
+              cursor_.coordinate(element.properties[p].type, labels[columns[p]]);
         else
           skip(element.properties[p]);
       vertices_.insert(vertices_.end(), values.begin(), values.begin() + 3);
@@ -122,11 +122,11 @@ class PlyReader {
     const std::size_t corners = corner_list(element), texture = uv_list(element);
     if (corners == element.properties.size() || !element.properties[corners].list ||
         is_real(element.properties[corners].type))
-      source_.place(element.place).fail("faces have no list of integers vertex_indices or vertex_index");
+      cursor_.place(element.place).fail("faces have no list of integers vertex_indices or vertex_index");
     if (texture < element.properties.size()) uv_.clear(), uv_at_vertices_ = false;
     for (int i = item_count(element); i > 0; --i) {
-      source_.next_line();
-      const Place place = source_.place(source_.position());
+      cursor_.next_line();
+      const Place place = cursor_.place(cursor_.position());
       polygon_.clear();
       uv_polygon_.clear();
       for (std::size_t p = 0; p < element.properties.size(); ++p)
@@ -143,19 +143,19 @@ class PlyReader {
   void read_corners(const PlyProperty& corners) {
     const int length = list_length(corners);
     if (const std::string fault = faces_.fault(static_cast<std::size_t>(length)); !fault.empty())
-      source_.fail(fault);
+      cursor_.fail(fault);
     for (int c = 0; c < length; ++c)
-      polygon_.push_back(source_.index(corners.type, "vertex index", 0, vertices_.size() / 3));
+      polygon_.push_back(cursor_.index(corners.type, "vertex index", 0, vertices_.size() / 3));
   }
 
   void read_uv(const PlyProperty& list) {
     const int length = list_length(list);
     for (int i = 0; i < length; ++i) {
-      const double value = source_.coordinate(list.type, i % 2 == 0 ? "u coordinate" : "v coordinate");
+      const double value = cursor_.coordinate(list.type, i % 2 == 0 ? "u coordinate" : "v coordinate");
       if (i % 2 == 0) uv_polygon_.push_back(static_cast<int>(uv_.size() / 2));
       uv_.push_back(value);
     }
-    if (length % 2 != 0) source_.fail("texcoord of " + std::to_string(length) + " numbers");
+    if (length % 2 != 0) cursor_.fail("texcoord of " + std::to_string(length) + " numbers");
   }
 
   void add_face(const Place& place) {
@@ -166,7 +166,7 @@ class PlyReader {
     faces_.add(polygon_, uv_polygon_, place);
   }
 
-  Source source_;
+  InputCursor cursor_;
   const ReadOptions& options_;
   FaceList faces_;
   std::vector<double> vertices_, uv_;

@@ -1,8 +1,8 @@
 #include "face_list.hpp"
 #include "file.hpp"
+#include "input_cursor.hpp"
 #include "number.hpp"
 #include "polygon.hpp"
-#include "source.hpp"
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/log.hpp>
@@ -23,7 +23,7 @@ constexpr std::size_t triangle_size = 50;  // a normal and three corners of floa
 class StlReader {
  public:
   StlReader(std::string_view contents, const std::string& name, const ReadOptions& options)
-      : source_(contents, name), options_(options) {}
+      : cursor_(contents, name), options_(options) {}
 
   std::vector<double> read() {
     if (is_text())
@@ -32,9 +32,9 @@ class StlReader {
       binary();
     if (left_out_ > 0)
       log(LogLevel::info,
-          source_.name() + ": " + std::to_string(left_out_) + " facet(s) that are no face left out");
-    if (corners_.empty()) source_.fail("no faces");
-    if (corners_.size() / 3 > static_cast<std::size_t>(largest_count)) source_.fail("too many faces");
+          cursor_.name() + ": " + std::to_string(left_out_) + " facet(s) that are no face left out");
+    if (corners_.empty()) cursor_.fail("no faces");
+    if (corners_.size() / 3 > static_cast<std::size_t>(largest_count)) cursor_.fail("too many faces");
     return std::move(corners_);
   }
 
@@ -42,55 +42,55 @@ class StlReader {
   // Only the length tells for sure: there are binary files that begin with "solid". A text of the same length
   // cannot be, its bytes would make a number of triangles beyond any file.
   bool is_text() const {
-    const std::string_view contents = source_.contents();
+    const std::string_view contents = cursor_.contents();
     if (contents.size() >= header_size + 4) {
       const auto triangles = load<std::uint32_t>(contents.data() + header_size, big_endian_machine);
       if (contents.size() == header_size + 4 + triangle_size * std::size_t{triangles}) return false;
     }
-    Source start(contents, source_.name());
+    InputCursor start(contents, cursor_.name());
     return lower(start.word()) == "solid" && contents.substr(0, 512).find('\0') == std::string_view::npos;
   }
 
   void binary() {
-    source_.set_coding(Coding::little_endian);
-    source_.bytes(header_size, "header");
-    const std::int64_t count = source_.integer(Scalar::uint32, "number of triangles");
+    cursor_.set_coding(Coding::little_endian);
+    cursor_.bytes(header_size, "header");
+    const std::int64_t count = cursor_.integer(Scalar::uint32, "number of triangles");
     const std::uint64_t size = static_cast<std::uint64_t>(count) * triangle_size;
-    if (size > source_.left() || (size == 0 && source_.left() > 0))
-      source_.fail("neither a text that begins with solid, nor " + std::to_string(count) +
-                   " triangles of 50 bytes: " + std::to_string(source_.left()) + " bytes follow");
-    if (size < source_.left())
-      log(LogLevel::warning, source_.name() + ": " + std::to_string(source_.left() - size) +
+    if (size > cursor_.left() || (size == 0 && cursor_.left() > 0))
+      cursor_.fail("neither a text that begins with solid, nor " + std::to_string(count) +
+                   " triangles of 50 bytes: " + std::to_string(cursor_.left()) + " bytes follow");
+    if (size < cursor_.left())
+      log(LogLevel::warning, cursor_.name() + ": " + std::to_string(cursor_.left() - size) +
                                  " bytes follow the " + std::to_string(count) +
                                  " triangles that the file counts; they are not read");
     corners_.reserve(9 * static_cast<std::size_t>(count));
     for (std::int64_t t = 0; t < count; ++t) {
-      source_.bytes(3 * sizeof(float), "normal");
-      for (int i = 0; i < 9; ++i) corners_.push_back(source_.coordinate(Scalar::float32, axis_labels[i % 3]));
-      source_.bytes(2, "attribute");
+      cursor_.bytes(3 * sizeof(float), "normal");
+      for (int i = 0; i < 9; ++i) corners_.push_back(cursor_.coordinate(Scalar::float32, axis_labels[i % 3]));
+      cursor_.bytes(2, "attribute");
     }
   }
 
   // solid name / facet normal x y z / outer loop / vertex x y z ... / endloop / endfacet / endsolid name
   void text() {
-    while (!source_.empty()) {
+    while (!cursor_.empty()) {
       expect("solid");
-      source_.line();
-      std::string keyword = lower(source_.word());
-      for (; keyword == "facet"; keyword = lower(source_.word())) facet();
+      cursor_.line();
+      std::string keyword = lower(cursor_.word());
+      for (; keyword == "facet"; keyword = lower(cursor_.word())) facet();
       if (keyword != "endsolid") fail_expecting("facet or endsolid", keyword);
-      source_.line();
+      cursor_.line();
     }
   }
 
   void facet() {
-    source_.line();  // the normal
+    cursor_.line();  // the normal
     expect("outer");
     expect("loop");
     polygon_.clear();
-    std::string keyword = lower(source_.word());
-    for (; keyword == "vertex"; keyword = lower(source_.word()))
-      for (const char* axis : axis_labels) polygon_.push_back(source_.text_coordinate(axis));
+    std::string keyword = lower(cursor_.word());
+    for (; keyword == "vertex"; keyword = lower(cursor_.word()))
+      for (const char* axis : axis_labels) polygon_.push_back(cursor_.text_coordinate(axis));
     if (keyword != "endloop") fail_expecting("vertex or endloop", keyword);
     add_facet();
     expect("endfacet");
@@ -102,7 +102,7 @@ class StlReader {
     if (count == 3) triangles = {0, 1, 2};
     if (count > 3) triangles = triangulated(points_of_facet());
     if (triangles.empty() && !options_.leave_out_faces)
-      source_.fail("facet with " + std::to_string(count) + " vertices" +
+      cursor_.fail("facet with " + std::to_string(count) + " vertices" +
                    (count > 3 ? ", which crosses itself or has no area" : "") + options_.face_advice);
     left_out_ += triangles.empty() ? 1 : 0;
     for (const int corner : triangles)
@@ -118,18 +118,18 @@ class StlReader {
   }
 
   void expect(const char* wanted) {
-    const std::string found = lower(source_.word());
+    const std::string found = lower(cursor_.word());
     if (found != wanted) fail_expecting(wanted, found);
   }
 
   [[noreturn]] void fail_expecting(const std::string& wanted, const std::string& found) const {
-    source_.fail(found.empty() ? "the file ends where " + wanted + " should be"
+    cursor_.fail(found.empty() ? "the file ends where " + wanted + " should be"
                                : wanted + " expected, not " + quoted(found));
   }
 
   static constexpr bool big_endian_machine = std::endian::native == std::endian::big;
 
-  Source source_;
+  InputCursor cursor_;
   const ReadOptions& options_;
   std::vector<double> corners_;
   std::vector<double> polygon_;  // points of the facet being read

@@ -1,7 +1,7 @@
 #include "elements.hpp"
 #include "file.hpp"
+#include "input_cursor.hpp"
 #include "number.hpp"
-#include "source.hpp"
 
 #include <isostretch/mesh_io/io.hpp>
 
@@ -16,35 +16,35 @@ namespace {
 // One of the two files: a line of counts, then an item a line, its number in front.
 class Table {
  public:
-  Table(std::string_view text, const std::string& name) : source_(text, name) {
-    source_.set_comments(true);
-    source_.set_by_line(true);
-    source_.next_line();
+  Table(std::string_view text, const std::string& name) : cursor_(text, name) {
+    cursor_.set_comments(true);
+    cursor_.set_by_line(true);
+    cursor_.next_line();
   }
 
-  Source& source() { return source_; }
+  InputCursor& cursor() { return cursor_; }
   // Numbers of the first line that may be missing.
-  int optional_count(const char* what) { return source_.empty() ? 0 : source_.text_count(what, 1); }
+  int optional_count(const char* what) { return cursor_.empty() ? 0 : cursor_.text_count(what, 1); }
 
   // To the next item, whose number follows that of the one before; the first is 0 or 1, or `first`.
   std::int64_t next(int item, int count, const char* what) {
-    const Place before = source_.place();
-    source_.next_line();
-    if (source_.left() == 0)
+    const Place before = cursor_.place();
+    cursor_.next_line();
+    if (cursor_.left() == 0)
       before.fail("the file ends after " + std::to_string(item) + " of " + std::to_string(count) + " " +
                   what);
-    const std::int64_t number = source_.text_integer("number of the item");
+    const std::int64_t number = cursor_.text_integer("number of the item");
     if (item == 0) first_ = number;
     if (item == 0 && number != 0 && number != 1)
-      source_.fail("numbers begin with " + std::to_string(number) + ", neither 0 nor 1");
+      cursor_.fail("numbers begin with " + std::to_string(number) + ", neither 0 nor 1");
     if (number != first_ + item)
-      source_.fail("number " + std::to_string(first_ + item) + " expected, not " + std::to_string(number));
+      cursor_.fail("number " + std::to_string(first_ + item) + " expected, not " + std::to_string(number));
     return number;
   }
   int first() const { return static_cast<int>(first_); }
 
  private:
-  Source source_;
+  InputCursor cursor_;
   std::int64_t first_ = 0;
 };
 
@@ -56,33 +56,33 @@ class TetgenReader {
   MixedMesh read() {
     read_nodes();
     read_tets();
-    return {std::move(vertices_), std::move(elements_), tets_.source().place()};
+    return {std::move(vertices_), std::move(elements_), tets_.cursor().place()};
   }
 
  private:
   // Number, dimension 3, numbers of attributes and markers, which are not read.
   void read_nodes() {
-    Source& source = nodes_.source();
-    if (source.left() == 0) source.fail("no nodes");
-    const std::int64_t given = source.text_integer("number of nodes");
-    const Place place = source.place();
-    const std::int64_t dimension = source.text_integer("dimension");
-    if (dimension != 3) source.fail("dimension " + std::to_string(dimension) + " is not 3");
-    const int count = source.checked_count(given, "number of nodes", 8, place);
+    InputCursor& cursor = nodes_.cursor();
+    if (cursor.left() == 0) cursor.fail("no nodes");
+    const std::int64_t given = cursor.text_integer("number of nodes");
+    const Place place = cursor.place();
+    const std::int64_t dimension = cursor.text_integer("dimension");
+    if (dimension != 3) cursor.fail("dimension " + std::to_string(dimension) + " is not 3");
+    const int count = cursor.checked_count(given, "number of nodes", 8, place);
     for (int n = 0; n < count; ++n) {
       nodes_.next(n, count, "nodes");
-      for (const char* axis : axis_labels) vertices_.push_back(source.text_coordinate(axis));
+      for (const char* axis : axis_labels) vertices_.push_back(cursor.text_coordinate(axis));
     }
   }
 
   // Number, nodes of each (4 or 10), number of attributes, the first of which is a region.
   void read_tets() {
-    Source& source = tets_.source();
-    if (source.left() == 0) source.fail("no tetrahedra");
-    const int count = source.text_count("number of tetrahedra", 10);
-    const std::int64_t corners = source.empty() ? 4 : source.text_integer("nodes of a tetrahedron");
+    InputCursor& cursor = tets_.cursor();
+    if (cursor.left() == 0) cursor.fail("no tetrahedra");
+    const int count = cursor.text_count("number of tetrahedra", 10);
+    const std::int64_t corners = cursor.empty() ? 4 : cursor.text_integer("nodes of a tetrahedron");
     if (corners != 4 && corners != 10)
-      source.fail("tetrahedra of " + std::to_string(corners) +
+      cursor.fail("tetrahedra of " + std::to_string(corners) +
                   " nodes are neither linear nor of second order");
     const CellKind kind = {Family::tet, static_cast<int>(corners)};
     const bool regions = tets_.optional_count("number of attributes") > 0;
@@ -97,14 +97,14 @@ class TetgenReader {
   }
 
   void add(CellKind kind, bool regions) {
-    Source& source = tets_.source();
-    const Place place = source.place();
+    InputCursor& cursor = tets_.cursor();
+    const Place place = cursor.place();
     corners_.clear();
     for (int c = 0; c < kind.nodes; ++c)
-      corners_.push_back(source.index(Scalar::int32, "node", nodes_.first(), vertices_.size() / 3));
+      corners_.push_back(cursor.index(Scalar::int32, "node", nodes_.first(), vertices_.size() / 3));
     ElementLabel label;
-    if (regions && !source.empty()) {
-      const Parsed<double> region = parse_coordinate(source.word());
+    if (regions && !cursor.empty()) {
+      const Parsed<double> region = parse_coordinate(cursor.word());
       const auto number = static_cast<std::int64_t>(std::clamp(region.value, -1e15, 1e15));
       if (region.fault.empty() && number != 0 && static_cast<double>(number) == region.value)
         label.groups.push_back(number);
@@ -120,7 +120,7 @@ class TetgenReader {
       ordered.fill(-1);
       for (std::size_t k = 4; k < 10; ++k) ordered[nearest_edge(nodes, e, nodes[e + k])] = nodes[e + k];
       if (std::find(ordered.begin(), ordered.end(), -1) != ordered.end())
-        tets_.source().fail("tetrahedron " + std::to_string(e / 10) +
+        tets_.cursor().fail("tetrahedron " + std::to_string(e / 10) +
                             ": its nodes of second order are not in the middle of its edges");
       std::copy(ordered.begin(), ordered.end(), nodes.begin() + static_cast<std::ptrdiff_t>(e + 4));
     }

@@ -1,6 +1,6 @@
 #include "vtk_cells.hpp"
 
-#include "source.hpp"
+#include "input_cursor.hpp"
 
 #include <utility>
 

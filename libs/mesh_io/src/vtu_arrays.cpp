@@ -1,8 +1,8 @@
 #include "vtu_arrays.hpp"
 
 #include "characters.hpp"
+#include "input_cursor.hpp"
 #include "number.hpp"
-#include "source.hpp"
 #include "zlib.hpp"
 
 #include <isostretch/core/base64.hpp>
@@ -166,15 +166,15 @@ std::string_view VtuArrays::numbers_of(const VtuArray& array, Scalar type, std::
   return numbers;
 }
 
-Source VtuArrays::text_source(const VtuArray& array) const {
+InputCursor VtuArrays::text_source(const VtuArray& array) const {
   const std::string_view text = text_of(array);
-  Source source(contents_.substr(0, array.text + text.size()), name_);
-  source.seek(array.text);
-  return source;
+  InputCursor cursor(contents_.substr(0, array.text + text.size()), name_);
+  cursor.seek(array.text);
+  return cursor;
 }
 
-void VtuArrays::require_end(Source& source) const {
-  if (!source.empty()) source.fail("more numbers in the DataArray than the file has items");
+void VtuArrays::require_end(InputCursor& cursor) const {
+  if (!cursor.empty()) cursor.fail("more numbers in the DataArray than the file has items");
 }
 
 int component_count(const VtuArray& array) {
@@ -190,10 +190,10 @@ std::vector<double> VtuArrays::tuples(const VtuArray& array, std::int64_t count,
     place(array.start).fail(std::string(what) + "s of " + quoted(array.components) + " components");
   const std::size_t numbers = each * static_cast<std::size_t>(count);
   if (array.format == "ascii") {
-    Source source = text_source(array);
-    source.checked_count(count, "number of points", 2 * each, place(array.start));
-    std::vector<double> values = source.coordinates(type, numbers);
-    require_end(source);
+    InputCursor cursor = text_source(array);
+    cursor.checked_count(count, "number of points", 2 * each, place(array.start));
+    std::vector<double> values = cursor.coordinates(type, numbers);
+    require_end(cursor);
     return values;
   }
   std::string kept;
@@ -212,10 +212,10 @@ std::vector<std::int64_t> VtuArrays::integers(const VtuArray& array, std::int64_
   const Scalar type = type_of(array);
   if (is_real(type)) place(array.start).fail(std::string(what) + " of the cells are not integers");
   if (array.format == "ascii") {
-    Source source = text_source(array);
-    source.checked_count(count, what, 2, place(array.start));
-    std::vector<std::int64_t> values = source.integers(type, static_cast<std::size_t>(count), what);
-    require_end(source);
+    InputCursor cursor = text_source(array);
+    cursor.checked_count(count, what, 2, place(array.start));
+    std::vector<std::int64_t> values = cursor.integers(type, static_cast<std::size_t>(count), what);
+    require_end(cursor);
     return values;
   }
   std::string kept;

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "input_cursor.hpp"
 #include "place.hpp"
 #include "scalar.hpp"
-#include "source.hpp"
 #include "xml.hpp"
 
 #include <string>
@@ -59,8 +59,8 @@ class VtuArrays {
   Scalar type_of(const VtuArray& array) const;
   std::string_view text_of(const VtuArray& array) const;
   // Of a text array, and nothing but these.
-  Source text_source(const VtuArray& array) const;
-  void require_end(Source& source) const;
+  InputCursor text_source(const VtuArray& array) const;
+  void require_end(InputCursor& cursor) const;
   // The numbers of the array as they are in memory; `bytes` keeps them.
   std::string_view numbers_of(const VtuArray& array, Scalar type, std::int64_t count, std::string& bytes);
   Bytes bytes_of(const VtuArray& array) const;

@@ -31,8 +31,8 @@ void explain_cut(const Domain& domain) {
   log(LogLevel::info, text);
 }
 
-void cut_open(Domain& domain, const mesh::Report& report, const Options& options) {
-  if (!options.cut) mesh::require_disk(report);
+void cut_open(Domain& domain, const mesh::MeshDiagnostics& diagnostics, const Options& options) {
+  if (!options.cut) mesh::require_disk(diagnostics);
   domain.cut = mesh::cut_to_disks(domain.input, cut_options(domain, options));
   explain_cut(domain);
 }
@@ -77,17 +77,17 @@ Domain make_domain(const mesh::SurfaceMesh& model, const Options& options) {
   mesh::require_consistent(model);
   Domain domain;
   domain.input = model;
-  const mesh::Report report = mesh::check(domain.input, 1);
-  domain.components = report.components;
-  domain.boundary_loops = report.boundary_loops;
-  domain.genus = report.genus;
-  domain.closed = report.boundary_loops == 0;
+  const mesh::MeshDiagnostics diagnostics = mesh::check(domain.input, 1);
+  domain.components = diagnostics.components;
+  domain.boundary_loops = diagnostics.boundary_loops;
+  domain.genus = diagnostics.genus;
+  domain.closed = diagnostics.boundary_loops == 0;
   domain.seams_from_input = options.cut && (options.input_seams || options.initial == Initial::input) &&
                             domain.input.has_uv() && !mesh::seams_of_uv(domain.input).empty();
   if (options.initial == Initial::input)
     open_along_input_uv(domain);
   else
-    cut_open(domain, report, options);
+    cut_open(domain, diagnostics, options);
   return domain;
 }
 

@@ -24,8 +24,9 @@ int snap_without_flips(Vector& x, const Placement& placement, const Chart& chart
 }
 
 // A few iterations with the targets as soft pins of that weight.
-void pull(Vector& x, const Placement& placement, double weight, const assembly::Elements& elements,
-          const energies::AnyEnergy& energy, newton::Options options) {
+void step_with_soft_targets(Vector& x, const Placement& placement, double weight,
+                            const assembly::Elements& elements, const energies::AnyEnergy& energy,
+                            newton::Options options) {
   newton::Objective objective(2, elements.node_count);
   objective.add<newton::EnergyTerm>(elements, energy);
   std::vector<newton::SoftPin> soft;
@@ -50,7 +51,7 @@ int move_to(Vector& x, const Placement& placement, const assembly::Elements& ele
   log(LogLevel::info,
       "pulling the layout towards its constraints first: moved there at once they turn triangles over");
   for (double weight = 1; weight <= 1e6 && !options.newton.stop.stop_requested(); weight *= 10) {
-    pull(x, placement, weight, elements, energy, options.newton);
+    step_with_soft_targets(x, placement, weight, elements, energy, options.newton);
     culprit = snap_without_flips(x, placement, chart);
     if (culprit < 0) return -1;
   }

@@ -55,12 +55,12 @@ class Solver {
     const std::string of = start_.charts.size() > 1 ? "chart " + std::to_string(chart) + " of " +
                                                           std::to_string(start_.charts.size()) + "  "
                                                     : "";
-    monitor_.show(aim() + of + newton::progress_line(row));
+    monitor_.show(progress_of_cuts() + of + newton::progress_line(row));
     return newton::CallbackAction::proceed;
   }
 
-  // What --max-distortion wants and how far it is.
-  std::string aim() const {
+  // The distortion so far and the bound that options.max_distortion sets.
+  std::string progress_of_cuts() const {
     if (options_.max_distortion == 0 || solution_.cuts == 0) return "";
     return formatted("distortion %.3g, wanted %.3g, %d cuts  ", worst_, options_.max_distortion,
                      solution_.cuts);

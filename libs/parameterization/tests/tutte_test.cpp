@@ -134,7 +134,7 @@ TEST_CASE("Tutte: scanned disks have no flips and area 1" * outside_data({"meshe
                            "camelhead_23k.obj", "face_52k.obj", "lilium_6k.obj"}) {
     CAPTURE(name);
     const SurfaceMesh mesh = read_surface(outside_path("meshes/disks/" + std::string(name)));
-    CHECK(check(mesh).count(Kind::zero_size) == 0);
+    CHECK(check(mesh).count(DefectKind::zero_size) == 0);
     flat_elements(mesh);
     check_embedding(mesh);
   }
@@ -203,5 +203,5 @@ TEST_CASE("holes are closed by fans and nothing else changes") {
   CHECK(filled.triangles.rows() == mesh.triangles.rows() + sides);
   CHECK(filled.vertices.rows() == mesh.vertices.rows() + 1);
   CHECK(boundary_loops(filled).size() == 1);
-  CHECK(check(filled).count(Kind::inconsistent_orientation) == 0);
+  CHECK(check(filled).count(DefectKind::inconsistent_orientation) == 0);
 }

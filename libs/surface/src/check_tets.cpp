@@ -1,4 +1,4 @@
-#include "findings.hpp"
+#include "defects.hpp"
 
 #include <isostretch/mesh/measure.hpp>
 
@@ -62,50 +62,50 @@ std::vector<Face> sorted_faces(const Tets& tets) {
   return faces;
 }
 
-void check_face(const Face* begin, const Face* end, Findings& findings) {
+void check_face(const Face* begin, const Face* end, DefectCollector& defects) {
   std::vector<int> tets;
   for (const Face* each = begin; each < end; ++each) tets.push_back(each->tet);
   const std::vector<int> vertices(begin->vertices.begin(), begin->vertices.end());
   if (tets.size() > 2) {
-    findings.add(Kind::non_manifold_face, tets, vertices, [&] {
+    defects.add(DefectKind::non_manifold_face, tets, vertices, [&] {
       std::string list;
       for (const int tet : tets) list += (list.empty() ? "" : ", ") + std::to_string(tet);
       return begin->text() + " belongs to " + std::to_string(tets.size()) + " tets: " + list;
     });
   } else if (tets.size() == 2 && begin[0].odd == begin[1].odd) {
-    findings.add(Kind::inconsistent_orientation, tets, vertices, [&] {
+    defects.add(DefectKind::inconsistent_orientation, tets, vertices, [&] {
       return "tets " + std::to_string(tets[0]) + " and " + std::to_string(tets[1]) +
              " are oriented against each other at " + begin->text();
     });
   }
 }
 
-void check_faces(const Tets& tets, Findings& findings) {
+void check_faces(const Tets& tets, DefectCollector& defects) {
   const std::vector<Face> faces = sorted_faces(tets);
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
     while (end < faces.size() && faces[end].vertices == faces[begin].vertices) ++end;
-    check_face(faces.data() + begin, faces.data() + end, findings);
+    check_face(faces.data() + begin, faces.data() + end, defects);
   }
 }
 
 }  // namespace
 
-Report check(const TetMesh& mesh, int max_per_kind) {
-  Report report;
-  Findings findings(report, max_per_kind);
-  check_elements("tet", mesh.vertices, mesh.tets, report, findings);
-  for (Eigen::Index t = 0; report.indices_valid && t < mesh.tets.rows(); ++t) {
+MeshDiagnostics check(const TetMesh& mesh, int max_per_kind) {
+  MeshDiagnostics diagnostics;
+  DefectCollector defects(diagnostics, max_per_kind);
+  check_elements("tet", mesh.vertices, mesh.tets, diagnostics, defects);
+  for (Eigen::Index t = 0; diagnostics.indices_valid && t < mesh.tets.rows(); ++t) {
     const int* v = mesh.tets.data() + 4 * t;
     if (!measurable(mesh, v)) continue;
     const TetShape shape = tet_shape(mesh.vertices, v);
     if (shape.degenerate())
-      findings.add_element(Kind::zero_size, "tet", mesh.tets, t, "has zero volume");
+      defects.add_element(DefectKind::zero_size, "tet", mesh.tets, t, "has zero volume");
     else if (shape.six_volumes < 0)
-      findings.add_element(Kind::inverted, "tet", mesh.tets, t, "is inverted (negative volume)");
+      defects.add_element(DefectKind::inverted, "tet", mesh.tets, t, "is inverted (negative volume)");
   }
-  if (report.indices_valid) check_faces(mesh.tets, findings);
-  findings.sort();
-  return report;
+  if (diagnostics.indices_valid) check_faces(mesh.tets, defects);
+  defects.sort();
+  return diagnostics;
 }
 
 }  // namespace isostretch::mesh

@@ -1,4 +1,4 @@
-#include "findings.hpp"
+#include "defects.hpp"
 #include "orient.hpp"
 
 #include <isostretch/mesh/index.hpp>
@@ -119,14 +119,14 @@ class Counter {
 }  // namespace
 
 void count_topology(const SurfaceMesh& mesh, const std::vector<Side>& sides, const OrientedPieces& pieces,
-                    Report& report) {
-  Counter(mesh, sides, report.component_facts).count(pieces);
-  report.genus = 0;
-  for (const ComponentFacts& facts : report.component_facts) {
-    report.euler_characteristic += facts.euler_characteristic;
-    report.boundary_loops += facts.boundary_loops;
-    if (facts.genus < 0) report.genus = -1;
-    if (report.genus >= 0) report.genus += facts.genus;
+                    MeshDiagnostics& diagnostics) {
+  Counter(mesh, sides, diagnostics.component_facts).count(pieces);
+  diagnostics.genus = 0;
+  for (const ComponentFacts& facts : diagnostics.component_facts) {
+    diagnostics.euler_characteristic += facts.euler_characteristic;
+    diagnostics.boundary_loops += facts.boundary_loops;
+    if (facts.genus < 0) diagnostics.genus = -1;
+    if (diagnostics.genus >= 0) diagnostics.genus += facts.genus;
   }
 }
 

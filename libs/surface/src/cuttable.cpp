@@ -12,11 +12,13 @@
 namespace isostretch::mesh {
 
 void require_cuttable(const SurfaceMesh& mesh) {
-  const Report report = check(mesh, 1);
-  for (const Kind kind : {Kind::index_out_of_range, Kind::not_finite, Kind::degenerate,
-                          Kind::duplicate_element, Kind::non_manifold_edge, Kind::non_manifold_vertex,
-                          Kind::not_orientable, Kind::inconsistent_orientation})
-    if (const Finding* finding = report.find(kind)) throw Error("cannot cut the mesh open: " + finding->text);
+  const MeshDiagnostics diagnostics = check(mesh, 1);
+  for (const DefectKind kind :
+       {DefectKind::index_out_of_range, DefectKind::not_finite, DefectKind::degenerate,
+        DefectKind::duplicate_element, DefectKind::non_manifold_edge, DefectKind::non_manifold_vertex,
+        DefectKind::not_orientable, DefectKind::inconsistent_orientation})
+    if (const Defect* defect = diagnostics.find(kind))
+      throw Error("cannot cut the mesh open: " + defect->text);
   if (mesh.triangles.rows() == 0) throw Error("cannot cut the mesh open: it has no triangles");
 }
 

@@ -14,11 +14,11 @@ constexpr PlaneBox nothing{{infinity, infinity}, {-infinity, -infinity}};
 
 }  // namespace
 
-Depth::Depth(const Stretch& whole) : whole_(whole) {
+Depth::Depth(const Interval& whole) : whole_(whole) {
   find_open();
 }
 
-void Depth::add(Stretch part, double count) {
+void Depth::add(Interval part, double count) {
   if (part.begin.along < whole_.begin.along) part.begin = whole_.begin;
   if (part.end.along > whole_.end.along) part.end = whole_.end;
   if (!(part.begin.along < part.end.along)) return;

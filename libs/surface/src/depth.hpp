@@ -14,18 +14,18 @@ struct Mark {
 };
 
 // Part of a segment.
-struct Stretch {
+struct Interval {
   Mark begin, end;
 };
 
-// Under how many triangles the places of a stretch lie, where it makes no difference whether there are two or
+// Under how many triangles the places of an interval lie, where it makes no difference whether there are two or
 // more. That takes memory for what lies under fewer, however many triangles there are.
 class Depth {
  public:
-  explicit Depth(const Stretch& whole);
+  explicit Depth(const Interval& whole);
 
   // `count` triangles lie over a part of the segment.
-  void add(Stretch part, double count);
+  void add(Interval part, double count);
 
   // Holds what lay under fewer than two when it was last joined; triangles elsewhere make no difference.
   const PlaneBox& open() const { return open_; }
@@ -54,7 +54,7 @@ class Depth {
 
   void find_open();
 
-  Stretch whole_;
+  Interval whole_;
   std::vector<Change> changes_;
   std::size_t limit_ = 8;  // changes that are joined at once
   PlaneBox open_;

@@ -47,14 +47,14 @@ bool same_direction(const Segment& a, const Segment& b) {
   return (a.to[0] - a.from[0]) * (b.to[0] - b.from[0]) + (a.to[1] - a.from[1]) * (b.to[1] - b.from[1]) > 0;
 }
 
-Stretch whole(const Segment& s) {
+Interval whole(const Segment& s) {
   return {{0, s.from}, {1, s.to}};
 }
 
 // What part of the segment lies under the triangle. An edge that runs along one of the triangle's lies under
 // it or not, whichever is asked for: of edges that coincide each is then under those before it.
-std::optional<Stretch> stretch_under(const PlaneTriangle& triangle, const Segment& s, bool when_along) {
-  Stretch under = whole(s);
+std::optional<Interval> interval_under(const PlaneTriangle& triangle, const Segment& s, bool when_along) {
+  Interval under = whole(s);
   for (std::size_t e = 0; e < 3; ++e) {
     const Segment line = edge(triangle, e);
     const double from = doubled_area(line.from, line.to, s.from), to = doubled_area(line.from, line.to, s.to);
@@ -103,10 +103,10 @@ class Neighbours {
 
 // Where almost equal triangles lie on each other, both ends of an edge stick out and its middle does not: a
 // box around one end is small, a box around both is that of the edge.
-std::array<Stretch, 2> halves(const Segment& s) {
+std::array<Interval, 2> halves(const Segment& s) {
   const auto [begin, end] = whole(s);
   const Mark middle{0.5, {0.5 * (s.from[0] + s.to[0]), 0.5 * (s.from[1] + s.to[1])}};
-  return {Stretch{begin, middle}, Stretch{middle, end}};
+  return {Interval{begin, middle}, Interval{middle, end}};
 }
 
 // Areas by how many triangles lie there, as integrals over the edges. Along an edge under `depth` others a
@@ -139,7 +139,7 @@ class Measure {
       if (few.size() <= many)
         integrate(under_few(i, s, few), triangle.copy_count(), overlap);
       else
-        for (const Stretch& half : halves(s))
+        for (const Interval& half : halves(s))
           integrate(under_many(i, s, half), triangle.copy_count(), overlap);
     }
   }
@@ -155,7 +155,7 @@ class Measure {
   }
 
   // Looks for them where that still matters.
-  Depth under_many(int i, const Segment& s, const Stretch& half) const {
+  Depth under_many(int i, const Segment& s, const Interval& half) const {
     Depth depth(half);
     neighbours_.visit(i, depth.open(), [&](int j) {
       add_under(i, s, j, depth);
@@ -167,7 +167,7 @@ class Measure {
 
   void add_under(int i, const Segment& s, int j, Depth& depth) const {
     const PlaneTriangle& above = triangles_[at(j)];
-    if (const auto under = stretch_under(above, s, j < i)) depth.add(*under, above.copy_count());
+    if (const auto under = interval_under(above, s, j < i)) depth.add(*under, above.copy_count());
   }
 
   void integrate(const Depth& under, double copies, Overlap& overlap) const {

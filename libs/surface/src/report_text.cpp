@@ -27,7 +27,7 @@ std::string line(const ComponentFacts& facts) {
          "\n";
 }
 
-std::string component_lines(const Report& report) {
+std::string component_lines(const MeshDiagnostics& report) {
   std::string text;
   const auto& all = report.component_facts;
   for (std::size_t i = 0; i < std::min(all.size(), components_listed); ++i) text += line(all[i]);
@@ -36,14 +36,14 @@ std::string component_lines(const Report& report) {
   return text;
 }
 
-std::string finding_lines(const Report& report, Kind kind) {
+std::string defect_lines(const MeshDiagnostics& report, DefectKind kind) {
   const long count = report.count(kind);
   if (count == 0) return {};
-  std::string text = std::string(kind_name(kind)) + ": " + std::to_string(count) + "\n";
+  std::string text = std::string(defect_kind_name(kind)) + ": " + std::to_string(count) + "\n";
   long listed = 0;
-  for (const Finding& finding : report.findings)
-    if (finding.kind == kind) {
-      text += "  " + finding.text + "\n";
+  for (const Defect& defect : report.defects)
+    if (defect.kind == kind) {
+      text += "  " + defect.text + "\n";
       ++listed;
     }
   if (listed < count) text += "  and " + std::to_string(count - listed) + " more\n";
@@ -52,11 +52,12 @@ std::string finding_lines(const Report& report, Kind kind) {
 
 }  // namespace
 
-std::string to_text(const Report& report) {
+std::string to_text(const MeshDiagnostics& report) {
   std::string text;
   if (report.indices_valid) text += plural(report.components, "component") + "\n" + component_lines(report);
-  for (int kind = 0; kind < kind_count; ++kind) text += finding_lines(report, static_cast<Kind>(kind));
-  if (report.findings.empty()) text += "nothing wrong found\n";
+  for (int kind = 0; kind < defect_kind_count; ++kind)
+    text += defect_lines(report, static_cast<DefectKind>(kind));
+  if (report.defects.empty()) text += "nothing wrong found\n";
   return text;
 }
 

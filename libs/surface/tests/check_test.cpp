@@ -18,13 +18,13 @@ using namespace isostretch::mesh::test;
 
 namespace {
 
-void finds(const SurfaceMesh& mesh, Kind kind, const char* text, long count = 1) {
-  const Report report = check(mesh);
+void finds(const SurfaceMesh& mesh, DefectKind kind, const char* text, long count = 1) {
+  const MeshDiagnostics report = check(mesh);
   CHECK(report.count(kind) == count);
-  const Finding* finding = report.find(kind);
-  REQUIRE(finding != nullptr);
-  CHECK(finding->text.find(text) != std::string::npos);
-  CAPTURE(finding->text);
+  const Defect* defect = report.find(kind);
+  REQUIRE(defect != nullptr);
+  CHECK(defect->text.find(text) != std::string::npos);
+  CAPTURE(defect->text);
 }
 
 void not_a_disk(const SurfaceMesh& mesh, const char* why) {
@@ -32,7 +32,7 @@ void not_a_disk(const SurfaceMesh& mesh, const char* why) {
 }
 
 void numbers(const SurfaceMesh& mesh, int components, int loops, int euler, int genus) {
-  const Report report = check(mesh);
+  const MeshDiagnostics report = check(mesh);
   CHECK(report.clean());
   CHECK(report.components == components);
   CHECK(report.boundary_loops == loops);
@@ -62,38 +62,38 @@ TEST_CASE("check: numbers of clean surfaces") {
 TEST_CASE("check: every finding names what it found") {
   SurfaceMesh mesh = square();
   mesh.triangles(1, 2) = 9;
-  finds(mesh, Kind::index_out_of_range,
+  finds(mesh, DefectKind::index_out_of_range,
         "triangle 1 (vertices 0 2 9) has an index out of range: there are 4 vertices");
   CHECK_FALSE(check(mesh).indices_valid);
   mesh.triangles(1, 2) = -1;
-  finds(mesh, Kind::index_out_of_range, "vertices 0 2 -1");
+  finds(mesh, DefectKind::index_out_of_range, "vertices 0 2 -1");
   mesh = square();
   mesh.vertices(3, 0) = std::numeric_limits<double>::infinity();
-  finds(mesh, Kind::not_finite, "vertex 3 has a coordinate that is not finite");
+  finds(mesh, DefectKind::not_finite, "vertex 3 has a coordinate that is not finite");
   mesh = square();
   mesh.triangles.row(1) << 0, 2, 2;
-  finds(mesh, Kind::degenerate, "triangle 1 (vertices 0 2 2) repeats a vertex");
-  finds(mesh, Kind::unreferenced_vertex, "vertex 3 belongs to no element");
-  CHECK(check(mesh).count(Kind::zero_size) == 0);
+  finds(mesh, DefectKind::degenerate, "triangle 1 (vertices 0 2 2) repeats a vertex");
+  finds(mesh, DefectKind::unreferenced_vertex, "vertex 3 belongs to no element");
+  CHECK(check(mesh).count(DefectKind::zero_size) == 0);
   mesh = square();
   mesh.vertices.row(3) = 0.3 * mesh.vertices.row(2);
-  finds(mesh, Kind::zero_size, "triangle 1 (vertices 0 2 3) has zero area");
+  finds(mesh, DefectKind::zero_size, "triangle 1 (vertices 0 2 3) has zero area");
   mesh = square();
   mesh.vertices.row(3) = mesh.vertices.row(0);
-  finds(mesh, Kind::zero_size, "triangle 1");
-  finds(surface({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 1, 2, 0}), Kind::duplicate_element,
+  finds(mesh, DefectKind::zero_size, "triangle 1");
+  finds(surface({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 1, 2, 0}), DefectKind::duplicate_element,
         "triangle 1 (vertices 1 2 0) has the vertices of triangle 0");
   finds(surface({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0}, {0, 1, 2, 1, 0, 3, 1, 0, 4}),
-        Kind::non_manifold_edge, "edge 0-1 belongs to 3 triangles: 0, 1, 2");
-  finds(bow_tie(), Kind::non_manifold_vertex,
+        DefectKind::non_manifold_edge, "edge 0-1 belongs to 3 triangles: 0, 1, 2");
+  finds(bow_tie(), DefectKind::non_manifold_vertex,
         "vertex 2 joins pieces that share no edge there, such as triangles 0 and 1");
   mesh = square();
   mesh.triangles.row(1) << 0, 3, 2;
-  finds(mesh, Kind::inconsistent_orientation,
+  finds(mesh, DefectKind::inconsistent_orientation,
         "triangles 0 and 1 are oriented against each other at edge 0-2");
   CHECK(check(mesh).genus == -1);
   finds(surface({0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0}, {0, 1, 2, 3, 4, 5}),
-        Kind::several_components, "2 components, with triangles 0, 1");
+        DefectKind::several_components, "2 components, with triangles 0, 1");
 }
 
 TEST_CASE("check: a vertex whose fans only meet through a handle is not manifold") {
@@ -101,7 +101,7 @@ TEST_CASE("check: a vertex whose fans only meet through a handle is not manifold
   for (int c = 0; c < 3; ++c)
     for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t)
       if (mesh.triangles(t, c) == 4) mesh.triangles(t, c) = 0;
-  finds(mesh, Kind::non_manifold_vertex, "vertex 0");
+  finds(mesh, DefectKind::non_manifold_vertex, "vertex 0");
 }
 
 TEST_CASE("check: a needle is not a zero area") {
@@ -109,16 +109,16 @@ TEST_CASE("check: a needle is not a zero area") {
   CHECK(check(surface({0, 0, 0, 1e-150, 0, 0, 0, 1e-150, 0}, {0, 1, 2})).clean());
   // Collinear up to rounding of the coordinates.
   CHECK(check(surface({0.1, 0.7, 0.3, 0.2, 1.4, 0.6, 0.1 * 1.3, 0.7 * 1.3, 0.3 * 1.3}, {0, 1, 2}))
-            .count(Kind::zero_size) == 1);
+            .count(DefectKind::zero_size) == 1);
 }
 
 TEST_CASE("check: one-sided surfaces") {
-  finds(glued_strip(9, 3, true, false), Kind::not_orientable,
+  finds(glued_strip(9, 3, true, false), DefectKind::not_orientable,
         "the surface of triangle 0 is one-sided (it contains a Moebius strip) and cannot be oriented");
   const SurfaceMesh klein = glued_strip(9, 5, true, true);
-  finds(merge({square(), klein}), Kind::not_orientable, "the surface of triangle 2 is one-sided");
-  const Report report = check(klein);
-  CHECK(report.count(Kind::inconsistent_orientation) == 0);  // nothing to be turned
+  finds(merge({square(), klein}), DefectKind::not_orientable, "the surface of triangle 2 is one-sided");
+  const MeshDiagnostics report = check(klein);
+  CHECK(report.count(DefectKind::inconsistent_orientation) == 0);  // nothing to be turned
   CHECK(report.genus == -1);
   CHECK(report.euler_characteristic == 0);
   CHECK(report.component_facts[0].why_no_genus == "it is not orientable");
@@ -128,7 +128,7 @@ TEST_CASE("check: one-sided surfaces") {
 
 TEST_CASE("check: facts of every component") {
   SurfaceMesh mesh = merge({torus(6, 5), square(), tube(7, 2), bow_tie()});
-  const Report report = check(mesh);
+  const MeshDiagnostics report = check(mesh);
   REQUIRE(report.component_facts.size() == 4);
   const int genus[] = {1, 0, 0, -1}, loops[] = {0, 1, 2, 1}, euler[] = {0, 1, 0, 1};
   const int first[] = {0, 60, 62, 90}, vertices[] = {30, 4, 21, 5};
@@ -142,7 +142,7 @@ TEST_CASE("check: facts of every component") {
     CHECK(facts.vertices == vertices[i]);
     CHECK(facts.why_no_genus.empty() == (genus[i] >= 0));
   }
-  const Report folded = check(surface({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 2, 1, 0}));
+  const MeshDiagnostics folded = check(surface({0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 1, 2, 2, 1, 0}));
   CHECK(folded.genus == -1);
   CHECK(folded.component_facts[0].why_no_genus == "its two triangles have the same vertices");
   CHECK(report.component_facts[1].area == doctest::Approx(1));
@@ -153,15 +153,15 @@ TEST_CASE("check: facts of every component") {
 TEST_CASE("check: vertices in the same place are told, and no fault") {
   SurfaceMesh mesh = merge({square(), square()});
   mesh.triangles.row(0) << 0, 1, 2;
-  const Report report = check(mesh);
-  CHECK(report.count(Kind::duplicate_vertex) == 4);
-  CHECK(report.find(Kind::duplicate_vertex)->text == "vertex 4 is where vertex 0 is");
+  const MeshDiagnostics report = check(mesh);
+  CHECK(report.count(DefectKind::duplicate_vertex) == 4);
+  CHECK(report.find(DefectKind::duplicate_vertex)->text == "vertex 4 is where vertex 0 is");
   CHECK_FALSE(report.clean());  // two components
   mesh = square();
   mesh.vertices.conservativeResize(5, 3);
   mesh.vertices.row(4) = mesh.vertices.row(2);
   mesh.triangles(1, 1) = 4;  // open along its diagonal's end
-  CHECK(check(mesh).count(Kind::duplicate_vertex) == 1);
+  CHECK(check(mesh).count(DefectKind::duplicate_vertex) == 1);
   CHECK(check(surface({0, 0, 0, 1, 0, 0, -0.0, 1, 0}, {0, 1, 2})).clean());
 }
 
@@ -186,14 +186,14 @@ TEST_CASE("check: a report in words") {
 TEST_CASE("check: long lists are cut, counts are not") {
   SurfaceMesh mesh = grid(10, 10);
   mesh.vertices.setZero();
-  const Report report = check(mesh, 3);
-  CHECK(report.count(Kind::zero_size) == 200);
-  CHECK(report.count(Kind::duplicate_vertex) == 120);
-  CHECK(report.findings.size() == 6);
+  const MeshDiagnostics report = check(mesh, 3);
+  CHECK(report.count(DefectKind::zero_size) == 200);
+  CHECK(report.count(DefectKind::duplicate_vertex) == 120);
+  CHECK(report.defects.size() == 6);
 }
 
 TEST_CASE("check: an empty mesh") {
-  const Report report = check(SurfaceMesh{});
+  const MeshDiagnostics report = check(SurfaceMesh{});
   CHECK(report.clean());
   CHECK(report.components == 0);
   not_a_disk(SurfaceMesh{}, "it has no triangles");
@@ -223,30 +223,30 @@ TEST_CASE("require_disk: says why not") {
 
 TEST_CASE("check: tetrahedra") {
   const TetMesh bar = tet_bar(3, 2, 2, 3, 1, 1);
-  Report report = check(bar);
+  MeshDiagnostics report = check(bar);
   CHECK(report.clean());
   CHECK(report.components == 1);
   TetMesh mesh = bar;
   std::swap(mesh.tets(5, 0), mesh.tets(5, 1));
   report = check(mesh);
-  REQUIRE(report.find(Kind::inverted) != nullptr);
-  CHECK(report.find(Kind::inverted)->text.find("tet 5 (vertices") == 0);
+  REQUIRE(report.find(DefectKind::inverted) != nullptr);
+  CHECK(report.find(DefectKind::inverted)->text.find("tet 5 (vertices") == 0);
   mesh = bar;
   mesh.vertices.row(mesh.tets(7, 3)) = mesh.vertices.row(mesh.tets(7, 0));
-  CHECK(check(mesh).count(Kind::zero_size) > 0);
+  CHECK(check(mesh).count(DefectKind::zero_size) > 0);
   mesh = bar;
   mesh.tets.row(3) = mesh.tets.row(2);
-  CHECK(check(mesh).find(Kind::duplicate_element)->text.find("has the vertices of tet 2") !=
+  CHECK(check(mesh).find(DefectKind::duplicate_element)->text.find("has the vertices of tet 2") !=
         std::string::npos);
   mesh = bar;
   mesh.tets(3, 1) = mesh.tets(3, 0);
-  CHECK(check(mesh).count(Kind::degenerate) == 1);
+  CHECK(check(mesh).count(DefectKind::degenerate) == 1);
   mesh.tets(3, 1) = 4000;
-  CHECK(check(mesh).count(Kind::index_out_of_range) == 1);
+  CHECK(check(mesh).count(DefectKind::index_out_of_range) == 1);
   mesh = bar;
   mesh.vertices.conservativeResize(bar.vertices.rows() + 1, 3);
   mesh.vertices.bottomRows(1).setZero();
-  CHECK(check(mesh).count(Kind::unreferenced_vertex) == 1);
+  CHECK(check(mesh).count(DefectKind::unreferenced_vertex) == 1);
 }
 
 TEST_CASE("check: faces of tetrahedra") {
@@ -255,18 +255,18 @@ TEST_CASE("check: faces of tetrahedra") {
   mesh.tets = rows<Tets>({0, 1, 2, 3, 0, 2, 1, 4, 1, 2, 3, 5});
   CHECK(check(mesh).clean());
   mesh.tets.row(1) << 0, 1, 2, 4;
-  Report report = check(mesh);
-  CHECK(report.count(Kind::inverted) == 1);
-  REQUIRE(report.count(Kind::inconsistent_orientation) == 1);
-  CHECK(report.find(Kind::inconsistent_orientation)->text ==
+  MeshDiagnostics report = check(mesh);
+  CHECK(report.count(DefectKind::inverted) == 1);
+  REQUIRE(report.count(DefectKind::inconsistent_orientation) == 1);
+  CHECK(report.find(DefectKind::inconsistent_orientation)->text ==
         "tets 0 and 1 are oriented against each other at face 0-1-2");
   mesh.tets = rows<Tets>({0, 1, 2, 3, 0, 2, 1, 4, 0, 1, 2, 5});
   report = check(mesh);
-  REQUIRE(report.count(Kind::non_manifold_face) == 1);
-  CHECK(report.find(Kind::non_manifold_face)->text == "face 0-1-2 belongs to 3 tets: 0, 1, 2");
-  CHECK(report.find(Kind::non_manifold_face)->elements == std::vector<int>{0, 1, 2});
+  REQUIRE(report.count(DefectKind::non_manifold_face) == 1);
+  CHECK(report.find(DefectKind::non_manifold_face)->text == "face 0-1-2 belongs to 3 tets: 0, 1, 2");
+  CHECK(report.find(DefectKind::non_manifold_face)->elements == std::vector<int>{0, 1, 2});
   mesh.tets = rows<Tets>({0, 1, 2, 3});
-  CHECK(check(mesh).count(Kind::unreferenced_vertex) == 2);
+  CHECK(check(mesh).count(DefectKind::unreferenced_vertex) == 2);
 }
 
 TEST_CASE("boundary loops: lengths") {

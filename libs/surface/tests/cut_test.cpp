@@ -71,11 +71,11 @@ void same_triangles(const SurfaceMesh& mesh, const Cut& cut) {
 // Everything that cut.hpp promises.
 void is_cut_of(const SurfaceMesh& mesh, const Cut& cut) {
   same_triangles(mesh, cut);
-  const Report report = check(cut.mesh, 1);
-  for (const Finding& finding : report.findings) {
-    CAPTURE(finding.text);
-    CHECK((finding.kind == Kind::duplicate_vertex || finding.kind == Kind::several_components ||
-           finding.kind == Kind::zero_size));
+  const MeshDiagnostics report = check(cut.mesh, 1);
+  for (const Defect& defect : report.defects) {
+    CAPTURE(defect.text);
+    CHECK((defect.kind == DefectKind::duplicate_vertex || defect.kind == DefectKind::several_components ||
+           defect.kind == DefectKind::zero_size));
   }
   CHECK(cut.chart == component_of_triangles(cut.mesh.triangles, static_cast<int>(cut.mesh.vertices.rows())));
   REQUIRE(cut.charts.size() == report.component_facts.size());

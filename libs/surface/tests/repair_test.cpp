@@ -157,8 +157,8 @@ TEST_CASE("repair: pieces are oriented on their own, one-sided ones are left and
   CHECK(report.one_sided == std::vector<int>{54});
   CHECK(to_text(report).find("1 piece(s) that cannot be oriented left as they are, with triangle: 54") !=
         std::string::npos);
-  CHECK(check(mesh).count(Kind::not_orientable) == 1);
-  CHECK(check(mesh).count(Kind::inconsistent_orientation) == 0);
+  CHECK(check(mesh).count(DefectKind::not_orientable) == 1);
+  CHECK(check(mesh).count(DefectKind::inconsistent_orientation) == 0);
 }
 
 TEST_CASE("repair: vertices that join pieces are split when asked to") {
@@ -170,7 +170,7 @@ TEST_CASE("repair: vertices that join pieces are split when asked to") {
   CHECK(mesh.triangles(0, 2) == 2);
   CHECK(mesh.triangles(1, 0) == 5);
   CHECK(check(mesh).components == 2);
-  CHECK(check(mesh).count(Kind::non_manifold_vertex) == 0);
+  CHECK(check(mesh).count(DefectKind::non_manifold_vertex) == 0);
 }
 
 TEST_CASE("repair: triangles of zero area are reported, not touched") {
@@ -186,11 +186,11 @@ TEST_CASE("repair: triangles of zero area are reported, not touched") {
 TEST_CASE("repair: a real model with a vertex where two fans meet" *
           outside_data({"meshes/surfaces/cow.obj"})) {
   SurfaceMesh mesh = read_surface(outside_path("meshes/surfaces/cow.obj"));
-  CHECK(check(mesh).find(Kind::non_manifold_vertex)->vertices == std::vector<int>{253});
+  CHECK(check(mesh).find(DefectKind::non_manifold_vertex)->vertices == std::vector<int>{253});
   const RepairReport report = repair_well(mesh, {.split_vertices = true});
   CHECK(report.split_vertices == std::vector<int>{253});
-  const Report after = check(mesh);
-  CHECK(after.count(Kind::non_manifold_vertex) == 0);
+  const MeshDiagnostics after = check(mesh);
+  CHECK(after.count(DefectKind::non_manifold_vertex) == 0);
   CHECK(after.genus >= 0);
 }
 

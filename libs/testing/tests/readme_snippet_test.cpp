@@ -26,7 +26,7 @@ TEST_CASE("my energy keeps its promises") {
 // end of snippet
 
 using isostretch::energies::Invariants;
-using isostretch::energies::Stretch;
+using isostretch::energies::PrincipalStretches;
 using isostretch::energies::StretchDerivatives;
 
 // ARAP with one number wrong in the closed form, chosen by the test.
@@ -40,7 +40,7 @@ struct Broken {
   }
 
   template <int Dim, class T>
-  void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  void derivatives(const PrincipalStretches<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
     d.psi = psi(s.invariants());
     for (int i = 0; i < Dim; ++i) d.gradient[i] = 2.0 * s[i] - 2.0 + gradient, d.diagonal[i] = T(2.0);
     for (int i = 0; i < s.pairs; ++i) {

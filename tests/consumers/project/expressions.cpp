@@ -10,7 +10,7 @@ int main() {
   using namespace isostretch;
   const auto energy = expressions::parse_energy("a/2*(I2 - d) - log(J)", {{"a", 2}});
   EXPECT(energy.has_barrier());
-  const invariants::Stretch<2, double> stretch{{2.0, 0.5}};
+  const invariants::PrincipalStretches<2, double> stretch{{2.0, 0.5}};
   EXPECT(std::abs(energies::derivatives_at(energy, stretch).psi - 2.25) < 1e-14);
   std::string message;
   try {

@@ -2,9 +2,9 @@
 // rotations blended with the weights of both ends.
 #include "expect.hpp"
 
+#include <isostretch/handles/extension.hpp>
 #include <isostretch/handles/motion.hpp>
 #include <isostretch/handles/rotation_blend.hpp>
-#include <isostretch/handles/spread.hpp>
 
 #include <cmath>
 #include <vector>
@@ -48,10 +48,10 @@ int main() {
     u.segment<2>(2 * n) = (turn.at(1)(nodes.at(n)) - nodes.at(n)).head<2>();
   }
   EXPECT(u.norm() == 1);  // both by half the root of two
-  const Vector spread = handles::Spreader(strip(), given, handles::SpreadKind::biharmonic).spread(u);
-  for (const int n : low) EXPECT(spread.segment<2>(2 * n).norm() == 0);
-  for (const int n : high) EXPECT((spread - u).segment<2>(2 * n).norm() == 0);
-  EXPECT(spread.segment<2>(4).norm() > 0.01);
+  const Vector extended = handles::Extension(strip(), given, handles::ExtensionKind::biharmonic).extend(u);
+  for (const int n : low) EXPECT(extended.segment<2>(2 * n).norm() == 0);
+  for (const int n : high) EXPECT((extended - u).segment<2>(2 * n).norm() == 0);
+  EXPECT(extended.segment<2>(4).norm() > 0.01);
 
   const auto weights = handles::bounded_biharmonic_weights(strip(), {low, high});
   for (int n = 0; n < weights.node_count(); ++n)

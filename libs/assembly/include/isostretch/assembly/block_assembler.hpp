@@ -11,15 +11,16 @@
 
 namespace isostretch::assembly {
 
-/// Sums the blocks of elements, dim x dim and one for every pair of an element's nodes, into the values of a
-/// sparse matrix. A matrix entry is the sum of what elements have for it, in the order of elements, in
+/// A sum of the blocks of elements, dim x dim and one for every pair of an element's nodes, into the values
+/// of a sparse matrix. A matrix entry is the sum of what elements have for it, in the order of elements, in
 /// parallel and without atomics: the same bits for any number of threads.
 class BlockAssembler {
  public:
+  /// Makes an assembler without a pattern, to be assigned to.
   BlockAssembler() = default;
   /// Lists for every block of the pattern which elements add to it. The pattern must hold every pair of nodes
-  /// of an element, as Restriction::add_to() adds them, and stay where it is. Throws Error if it does not, or
-  /// if there are too many elements to number their blocks in 31 bits.
+  /// of an element, as Restriction::add_to() adds them, and outlive this object where it is. Throws Error if
+  /// it does not hold them, or if there are too many elements to number their blocks in 31 bits.
   BlockAssembler(const Restriction& restriction, const HessianPattern& pattern);
 
   /// Returns the number of pairs a <= b of an element's nodes.
@@ -27,12 +28,13 @@ class BlockAssembler {
     return nodes_per_element * (nodes_per_element + 1) / 2;
   }
 
-  /// Adds blocks that are stored: [element][pair a <= b of nodes, by a and then by b][dim * dim, row by row],
-  /// rows those of node a.
+  /// Adds stored blocks to the values of the matrix: [element][pair a <= b of nodes, by a and then by b][dim
+  /// * dim, row by row], with the rows of node a.
   void add_stored(const double* blocks, double* values) const;
 
-  /// Adds blocks that are computed where they are needed: block(element, a, b, sum) adds to `sum` the block
-  /// of the nodes a and b of an element, rows those of a. It is called from several threads.
+  /// Adds blocks that are computed where they are needed to the values of the matrix: block(element, a, b,
+  /// sum) adds to `sum` the block of the nodes a and b of an element, with the rows of a. It is called from
+  /// several threads.
   template <int Dim, int Nodes, class Block>
   void add_computed(const Block& block, double* values) const {
     static constexpr Pairs<Nodes> pair;
@@ -49,10 +51,10 @@ class BlockAssembler {
   }
 
  private:
-  // Twice the number of a block among all blocks of elements, plus one where it is wanted transposed.
+  /// Twice the number of a block among all blocks of elements, plus one where it is wanted transposed.
   using Contribution = std::uint32_t;
 
-  // The nodes whose block a contribution is, by what it says beside the element.
+  /// The nodes of the block of a contribution, by what it says beside the element.
   template <int Nodes>
   struct Pairs {
     constexpr Pairs() {
@@ -70,13 +72,13 @@ class BlockAssembler {
     for (std::size_t e = 0; e < count; ++e)
       if (positions[e] >= 0) values[positions[e]] += entries[e];
   }
-  // Calls body(begin, end) for ranges that make up the blocks of the pattern, one a thread.
+  /// Calls body(begin, end) for ranges that make up the blocks of the pattern, one per thread.
   void for_ranges(const std::function<void(std::size_t, std::size_t)>& body) const;
   template <int Dim>
   void add_stored_blocks(const double* blocks, double* values) const;
 
   const HessianPattern* pattern_ = nullptr;
-  std::vector<std::uint32_t> start_;  // first contribution to every block of the pattern
+  std::vector<std::uint32_t> start_;  ///< First contribution to every block of the pattern.
   std::vector<Contribution> contributions_;
 };
 

@@ -10,13 +10,14 @@
 namespace isostretch::assembly {
 inline namespace ISOSTRETCH_ISA {
 
-/// The linear map from positions (Dim entries a node) to the deformation gradients at the quadrature points
+/// The linear map from positions, Dim entries per node, to the deformation gradients at the quadrature points
 /// of elements, and its transpose. Points are counted over all elements: point p of element e is number e *
-/// points_per_element + p. Refers to the arrays of the elements, which must stay where they are.
-/// Loops over Nodes nodes of an element are unrolled; Nodes = 0 takes any elements.
+/// points_per_element + p. The arrays of the elements must outlive the operator where they are. Loops over
+/// Nodes nodes of an element are unrolled; Nodes = 0 takes any elements.
 template <int Dim, int Nodes = 0>
 class DeformationOperator {
  public:
+  /// Refers to the arrays of the elements.
   explicit DeformationOperator(const Elements& elements)
       : nodes_per_element_(static_cast<std::size_t>(elements.nodes_per_element)),
         points_per_element_(static_cast<std::size_t>(elements.points_per_element)),
@@ -29,7 +30,7 @@ class DeformationOperator {
     return nodes_ + element * nodes_per_element_;
   }
 
-  /// Returns the rest gradients at a point, Dim entries a node of the element.
+  /// Returns the rest gradients at a point, Dim entries per node of the element.
   const double* rest_gradients(std::size_t point) const {
     return gradients_ + point * nodes_per_element_ * Dim;
   }
@@ -43,8 +44,8 @@ class DeformationOperator {
         [&](int a, int c) { return g[Dim * a + c]; });
   }
 
-  /// Calls sink(a, r, value) with entry r of P g_a for every node a of a point's element: what a derivative P
-  /// by F at the point is for the positions of the nodes.
+  /// Calls sink(a, r, value) with entry r of P g_a for every node a of a point's element: the derivative over
+  /// node positions that belongs to a derivative P over F at the point.
   template <class Sink>
   void apply_transposed(std::size_t point, const linalg::Mat<Dim>& P, const Sink& sink) const {
     const double* g = rest_gradients(point);
@@ -62,8 +63,8 @@ class DeformationOperator {
 
 }  // namespace ISOSTRETCH_ISA
 
-/// Writes F at the quadrature points first ... first + count - 1 for positions x, as the batches of linalg
-/// have matrices: entry (r, c) of point first + i at F[(r + dim * c) * stride + i].
+/// Computes F at the quadrature points first ... first + count - 1 for positions x, in the layout of the
+/// batches of linalg: entry (r, c) of point first + i is at F[(r + dim * c) * stride + i].
 void deformation_gradients(const Elements& elements, const double* x, std::size_t first, std::size_t count,
                            double* F, std::size_t stride);
 

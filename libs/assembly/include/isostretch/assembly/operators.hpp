@@ -10,11 +10,12 @@
 namespace isostretch::assembly::operators {
 
 /// Returns the Laplacian K_ab = sum over quadrature points of w g_a . g_b, positive semi-definite, over the
-/// nodes that are not pinned; `nodes` has one degree of freedom a node. Of linear triangles these are
+/// nodes that are not pinned; `nodes` has one degree of freedom per node. For linear triangles these are
 /// cotangent weights. Entries of nodes that share an element are there even where they are zero.
 sparse::SymmetricMatrix laplacian(const Elements& elements, const FreeUnknowns& nodes);
 
-/// Returns the Laplacian over all nodes.
+/// Returns the Laplacian K_ab = sum over quadrature points of w g_a . g_b over all nodes, positive
+/// semi-definite.
 sparse::SymmetricMatrix laplacian(const Elements& elements);
 
 /// Returns the mass of every node at density 1: every element gives its nodes equal shares of its volume. The

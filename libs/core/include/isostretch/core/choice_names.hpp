@@ -12,11 +12,11 @@
 
 namespace isostretch {
 
-/// What the choices of an enumeration are called, on the command line, in scenes and in summary.json.
+/// The names of the choices of an enumeration, as command lines, scenes and summary.json spell them.
 template <class Choice, std::size_t N>
 using ChoiceNames = std::array<std::pair<const char*, Choice>, N>;
 
-/// Returns the names in their order.
+/// Returns the names of all choices, in their order.
 template <class Choice, std::size_t N>
 std::vector<std::string> all_names(const ChoiceNames<Choice, N>& names) {
   std::vector<std::string> all;
@@ -24,14 +24,14 @@ std::vector<std::string> all_names(const ChoiceNames<Choice, N>& names) {
   return all;
 }
 
-/// Returns the choice of that name, which must be one of these.
+/// Returns the choice that has this name. The name must be one of those in `names`.
 template <class Choice, std::size_t N>
 Choice choice_of(const ChoiceNames<Choice, N>& names, const std::string& name) {
   return std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == name; })
       ->second;
 }
 
-/// Returns the name of a choice, which must have one.
+/// Returns the name of a choice. The choice must be one of those in `names`.
 template <class Choice, std::size_t N>
 const char* name_of(const ChoiceNames<Choice, N>& names, Choice choice) {
   return std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == choice; })

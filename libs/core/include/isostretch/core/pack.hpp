@@ -40,17 +40,19 @@
 #include <immintrin.h>
 #endif
 
+/// Makes a function part of every caller, whatever its size: a missed inline of a jet costs a hundredfold.
 #define ISOSTRETCH_INLINE inline __attribute__((always_inline))
-// Everything that the function calls becomes part of it, what a user wrote without the above as well.
+/// Makes everything that the function calls part of it, including what a user wrote without
+/// ISOSTRETCH_INLINE.
 #define ISOSTRETCH_FLATTEN __attribute__((flatten))
 
 namespace isostretch {
 inline namespace ISOSTRETCH_ISA {
 
+/// The number of doubles in a Pack.
 inline constexpr int lanes = ISOSTRETCH_LANES;
 
-// ---- double: a mask is a bool
-// -------------------------------------------------------------------------------------
+// ---- double: a mask is a bool ----
 
 ISOSTRETCH_INLINE double select(bool mask, double a, double b) {
   return mask ? a : b;
@@ -108,14 +110,15 @@ ISOSTRETCH_INLINE double fma(double a, double b, double c) {
 #define ISOSTRETCH_HAS_FMA 1
 #else
 #define ISOSTRETCH_HAS_FMA 0
-// Not fused where the processor cannot: a library call per multiplication would cost fifty times as much.
-// What needs the single rounding uses product_difference().
+/// Returns a * b + c, not fused, because the processor cannot: a library call per multiplication would cost
+/// fifty times as much. product_difference() gives the single rounding where it is needed.
 ISOSTRETCH_INLINE double fma(double a, double b, double c) {
   return a * b + c;
 }
 #endif
 
-// The power of two in (a/2, a] for normal positive a; anything finite for zero, subnormal and infinite a.
+/// Returns the power of two in (a/2, a] for normal positive a, and a finite number for zero, subnormal and
+/// infinite a.
 ISOSTRETCH_INLINE double exponent_scale(double a) {
   unsigned long long bits;
   std::memcpy(&bits, &a, sizeof bits);
@@ -124,28 +127,31 @@ ISOSTRETCH_INLINE double exponent_scale(double a) {
   return a;
 }
 
-// ---- Pack
-// ---------------------------------------------------------------------------------------------------------
+// ---- Pack ----
 
 #if ISOSTRETCH_LANES > 1
 
 #if ISOSTRETCH_LANES == 8
+/// Truth values, one per lane.
 struct PackMask {
   __mmask8 m;
 };
 using PackRegister = __m512d;
 #elif ISOSTRETCH_LANES == 4
+/// Truth values, one per lane, as all bits of a lane or none.
 struct PackMask {
   __m256d m;
 };
 using PackRegister = __m256d;
 #else
+/// Truth values, one per lane, as all bits of a lane or none.
 struct PackMask {
   __m128d m;
 };
 using PackRegister = __m128d;
 #endif
 
+/// A SIMD register of doubles, with the arithmetic of double in every lane.
 struct Pack {
   PackRegister v;
 
@@ -443,25 +449,27 @@ using Pack = double;
 
 #endif
 
-// ---- compositions on any T
-// ----------------------------------------------------------------------------------------
+// ---- compositions on any T ----
 
-// What comparisons of T give: bool, or one truth value a lane.
+/// The type of comparisons of T: bool, or one truth value per lane.
 template <class T>
 using Mask = decltype(T(0.0) < T(0.0));
 
+/// Returns the double at p, or as many from p on as T has lanes.
 template <class T>
 ISOSTRETCH_INLINE T load(const double* p) {
   return load(p, T());
 }
 
+/// Returns a * a.
 template <class T>
 ISOSTRETCH_INLINE T square(T a) {
   return a * a;
 }
 
 #if !ISOSTRETCH_HAS_FMA
-// Dekker 1971: a*b = product + error exactly, |a|, |b| < 1e300.
+/// Returns the rounding error of a product: a * b = product + error exactly, for |a|, |b| < 1e300 (Dekker
+/// 1971).
 template <class T>
 ISOSTRETCH_INLINE T product_error(T a, T b, T product) {
   const T splitter(134217729.0);
@@ -472,7 +480,7 @@ ISOSTRETCH_INLINE T product_error(T a, T b, T product) {
 }
 #endif
 
-// p*q - r*s to about one rounding of the result, whatever cancels (Kahan).
+/// Returns p*q - r*s to about one rounding of the result, whatever cancels (Kahan).
 template <class T>
 ISOSTRETCH_INLINE T product_difference(T p, T q, T r, T s) {
 #if ISOSTRETCH_HAS_FMA

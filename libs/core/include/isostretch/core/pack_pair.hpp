@@ -15,6 +15,7 @@ inline namespace ISOSTRETCH_ISA {
 
 #if ISOSTRETCH_LANES == 8 || ISOSTRETCH_LANES == 2 || (ISOSTRETCH_LANES == 4 && defined(__clang__))
 
+/// Two packs as one scalar type, with the arithmetic of double in every lane.
 struct PackPair {
   Pack a, b;
 
@@ -23,6 +24,7 @@ struct PackPair {
   ISOSTRETCH_INLINE PackPair(double value) : a(value), b(value) {}
 };
 
+/// The truth values of a PackPair, one per lane.
 struct PackPairMask {
   Mask<Pack> a, b;
 };
@@ -98,12 +100,18 @@ ISOSTRETCH_INLINE void store(double* p, PackPair x) {
   store(p + lanes, x.b);
 }
 
+/// The scalar type of iterative kernels: a PackPair where two independent chains are faster than one, else a
+/// Pack.
 using WidePack = PackPair;
+/// The number of doubles in a WidePack.
 inline constexpr int wide_lanes = 2 * lanes;
 
 #else
 
+/// The scalar type of iterative kernels: a PackPair where two independent chains are faster than one, else a
+/// Pack.
 using WidePack = Pack;
+/// The number of doubles in a WidePack.
 inline constexpr int wide_lanes = lanes;
 #endif
 

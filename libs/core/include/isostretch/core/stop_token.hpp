@@ -9,28 +9,30 @@
 
 namespace isostretch {
 
-/// Tells running methods to end: a request that anybody may make while they run, and a deadline. Methods ask
-/// it between iterations and end with the best positions they have. Copies share the request.
+/// A token that tells running methods to end: by a request that anybody may make while they run, or by a
+/// deadline. Methods ask it between iterations and end with the best positions that they have. Copies share
+/// the request.
 ///
-/// A token that is made without a source never asks anybody to stop.
+/// A token made without a StopSource has no request; it ends a method only if it is given a deadline.
 class StopToken {
  public:
+  /// Makes a token without a request and without a deadline.
   StopToken() = default;
 
-  /// Returns whether somebody has asked to stop.
+  /// Returns whether the StopSource of this token was asked to stop.
   bool stop_requested() const noexcept { return request_ != nullptr && request_->load(); }
-  /// Returns whether the deadline has passed.
+  /// Returns whether the deadline has passed; false without one.
   bool deadline_passed() const { return deadline_ && Clock::now() >= *deadline_; }
-  /// Returns whether a method has to end, for either reason.
+  /// Returns whether a method has to end, on request or because the deadline has passed.
   bool should_stop() const { return stop_requested() || deadline_passed(); }
 
-  /// Returns the seconds that are left until the deadline, at least 0; infinity without one.
+  /// Returns the seconds until the deadline, at least 0; infinity without a deadline.
   double seconds_left() const {
     if (!deadline_) return std::numeric_limits<double>::infinity();
     return std::max(std::chrono::duration<double>(*deadline_ - Clock::now()).count(), 0.0);
   }
 
-  /// Returns a token with the same request whose deadline is so many seconds from now, or the one it has if
+  /// Returns a token with the same request whose deadline is `seconds` from now, or the present deadline if
   /// that is earlier. 0 or less sets none.
   StopToken with_time_limit(double seconds) const {
     StopToken token = *this;
@@ -44,21 +46,24 @@ class StopToken {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr double longest_time_limit = 1e9;  // seconds; the clock counts no further than 292 years
+  /// In seconds, because the clock counts no further than 292 years.
+  static constexpr double longest_time_limit = 1e9;
   friend class StopSource;
 
   std::shared_ptr<const std::atomic<bool>> request_;
   std::optional<Clock::time_point> deadline_;
 };
 
-/// Where a request to stop is made.
+/// A source of tokens through which running methods are asked to stop.
 class StopSource {
  public:
+  /// Asks all methods that have a token of this source to stop. May be called from any thread and from a
+  /// signal handler.
   StopSource() : request_(std::make_shared<std::atomic<bool>>(false)) {}
 
-  /// Asks all that have a token of this source to stop. May be called from any thread and from a signal
-  /// handler.
+  /// Returns a token of this source, without a deadline.
   void request_stop() const noexcept { request_->store(true); }
+  /// Returns a token of this source, without a deadline. 69-
   StopToken token() const {
     StopToken token;
     token.request_ = request_;

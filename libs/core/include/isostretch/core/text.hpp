@@ -7,7 +7,7 @@
 
 namespace isostretch {
 
-/// Returns what printf would print, of any length.
+/// Returns what printf would print, however long that is.
 template <class... Arguments>
 std::string formatted(const char* pattern, Arguments... arguments) {
   std::string text(static_cast<std::size_t>(std::snprintf(nullptr, 0, pattern, arguments...)), '\0');
@@ -23,13 +23,13 @@ inline std::string with_thousands(long long count) {
   return text;
 }
 
-/// Returns the name of a status or of an option, to be read: "stopped_iterations" as "stopped iterations".
+/// Returns the name of a status or of an option as words: "stopped_iterations" as "stopped iterations".
 inline std::string in_words(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
 
-/// Returns a count with its noun: "1 chart", "1,234 charts".
+/// Returns a count with its noun: "1 chart", "1,234 charts". `what` is the singular, whose plural ends in s.
 template <class Count>
 std::string counted(Count count, const std::string& what) {
   return with_thousands(static_cast<long long>(count)) + " " + what + (count == 1 ? "" : "s");

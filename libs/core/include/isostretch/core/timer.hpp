@@ -4,9 +4,10 @@
 
 namespace isostretch {
 
-// Wall-clock seconds since construction.
+/// A clock that measures wall-clock seconds since its construction.
 class Timer {
  public:
+  /// Returns the seconds since construction.
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
  private:
@@ -14,10 +15,12 @@ class Timer {
   Clock::time_point start_ = Clock::now();
 };
 
-// Adds the lifetime of the object to a counter of seconds.
+/// A timer that adds its lifetime to a counter of seconds.
 class ScopedTimer {
  public:
+  /// Makes a timer that adds to `seconds` when it is destroyed; the counter must outlive it.
   explicit ScopedTimer(double& seconds) : seconds_(seconds) {}
+  /// Adds the seconds since construction to the counter.
   ~ScopedTimer() { seconds_ += timer_.seconds(); }
   ScopedTimer(const ScopedTimer&) = delete;
   ScopedTimer& operator=(const ScopedTimer&) = delete;

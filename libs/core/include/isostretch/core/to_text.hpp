@@ -4,10 +4,9 @@
 
 namespace isostretch {
 
-/// Returns the shortest decimal text that reads back as `value`, bit for bit, whatever the locale; "nan",
-/// "inf" and
-/// "-inf" for what is not finite. For messages and files: std::to_string() makes 0.000000 of all that is
-/// small.
+/// Returns the shortest decimal text that reads back as `value`, bit for bit, whatever the locale, and "nan",
+/// "inf" or "-inf" for a value that is not finite. Meant for messages and files, where std::to_string() makes
+/// 0.000000 of every small number.
 std::string to_text(double value);
 
 }  // namespace isostretch

@@ -11,35 +11,41 @@
 
 namespace isostretch::deformation {
 
-// Elements of one energy.
+/// A set of elements with one energy.
 struct Region {
-  std::string name;
-  std::vector<int> elements;  // ascending
-  energies::AnyEnergy energy;
+  std::string name;            ///< Name in the scene.
+  std::vector<int> elements;   ///< Indices of elements, ascending.
+  energies::AnyEnergy energy;  ///< Energy of the elements.
 };
 
-// The regions of a scene, each with the elements that no earlier one has, and last what is left over, if
-// anything is. Throws Error naming the path of a region that has no element or one that does not exist.
+/// Returns the regions of a scene, each with the elements that no earlier one has, and last what is left
+/// over, if anything is. Throws Error naming the path of a region that has no element or one that does not
+/// exist.
 std::vector<Region> regions_of(const SequenceOptions& options, const SolidModel& body);
 
-// What is minimised: a term for each region, and one for the soft handles.
+/// The minimisation problem of a sequence: a term for each region, and one for the soft handles.
 class ElasticProblem {
  public:
+  /// Makes the terms. The body and the handle set must outlive this object. Throws Error naming the region at
+  /// fault.
   ElasticProblem(const SequenceOptions& options, const SolidModel& body, const HandleSet& handle_set);
 
+  /// Returns the objective, over dim entries per node.
   newton::Objective& objective() { return objective_; }
+  /// Returns the regions of the body.
   const std::vector<Region>& regions() const { return regions_; }
 
-  // Soft handles pull to where they are at that time.
+  /// Moves the targets of soft handles to where they are at that time.
   void set_time(double time);
-  // Whether the energy is finite.
-  bool admissible(const Vector& positions);
-  // Energy of the soft handles alone.
+  /// Returns whether the energy is finite.
+  bool feasible(const Vector& positions);
+  /// Returns the energy of the soft handles alone.
   double soft_energy(const Vector& positions);
 
-  // For every element: norm of the stress (first Piola-Kirchhoff), averaged over its quadrature points, and
-  // the number of its region.
+  /// Returns for every element the norm of the first Piola-Kirchhoff stress, averaged over its quadrature
+  /// points.
   std::vector<double> stress_norms(const StrainField& strain) const;
+  /// Returns for every element the number of its region.
   std::vector<double> region_numbers() const;
 
  private:
@@ -49,7 +55,7 @@ class ElasticProblem {
   const SolidModel& body_;
   const HandleSet& handle_set_;
   std::vector<Region> regions_;
-  double soft_unit_ = 0;  // stiffness times volume over squared diagonal
+  double soft_unit_ = 0;  ///< Stiffness times volume over squared diagonal.
   newton::Objective objective_;
   SoftHandles* soft_ = nullptr;
 };

@@ -8,38 +8,38 @@
 
 namespace isostretch::deformation {
 
-/// How far the nodes of one handle are from where they are to be, in units of the mesh.
+/// The distances of the nodes of one handle from their targets, in units of the mesh.
 struct HandleMiss {
-  std::string name;
-  bool soft = false;
-  std::size_t nodes = 0;
-  double size =
-      0;  ///< of the handle where it is to be: twice the largest distance from the mean; 0: one node
-  double size_reached = 0;  ///< the same of where it is
-  double mean = 0;          ///< distance of a node from its target
-  double largest = 0;
-  int farthest_node = -1;
+  std::string name;       ///< Name of the handle.
+  bool soft = false;      ///< Whether the handle is soft.
+  std::size_t nodes = 0;  ///< Number of its nodes.
+  /// Size of the handle at its targets: twice the largest distance from the mean; 0 for one node.
+  double size = 0;
+  double size_reached = 0;  ///< Size of the handle where its nodes are.
+  double mean = 0;          ///< Mean distance of a node from its target.
+  double largest = 0;       ///< Largest distance of a node from its target.
+  int farthest_node = -1;   ///< Node of the largest distance.
 
-  /// The largest miss as a share of the size; NaN for a handle of one node.
+  /// Returns the largest miss as a share of the size; NaN for a handle of one node.
   double share() const;
 };
 
-/// Measures every handle of the handle_set at that time.
+/// Returns the misses of every handle at a time; `positions` has dim entries per node.
 std::vector<HandleMiss> handle_misses(const HandleSet& handle_set, double time, int dim,
                                       const Vector& positions);
 
-/// "handles miss their targets by 0.05 at most (50 % of the size of 'disc')"; empty where no handle has a
-/// node, or none misses by more than rounding.
+/// Returns a sentence such as "handles miss their targets by 0.05 at most (50 % of the size of 'disc')";
+/// empty where no handle has a node, or none misses by more than rounding. `diagonal` is that of the body.
 std::string largest_miss_text(const std::vector<HandleMiss>& misses, double diagonal);
 
-/// Says of each handle that misses by more than a tenth of its size, or by more than a fiftieth of the body's
-/// diagonal, how far it is off, and whether it has collapsed; empty where none does.
+/// Returns for each handle that misses by more than a tenth of its size, or by more than a fiftieth of the
+/// body's diagonal, how far it is off, and whether it has collapsed; none where no handle does.
 std::vector<std::string> miss_warnings(const std::vector<HandleMiss>& misses, double diagonal);
 
-/// The elements whose volume has shrunk below a thousandth without being inverted, flattest first.
+/// Returns the elements whose volume has shrunk below a thousandth without being inverted, flattest first.
 std::vector<int> nearly_flat_elements(const StrainField& strain);
 
-/// Names the flattest of them and counts them; empty where there are none.
+/// Returns a text that names the flattest of the elements and counts them; empty where there are none.
 std::string nearly_flat_text(const std::vector<int>& elements, const StrainField& strain,
                              const SolidModel& body);
 

@@ -8,26 +8,28 @@
 
 namespace isostretch::deformation {
 
-/// A part of a body that moves, and how.
+/// A part of a body that moves, and how it moves.
 struct HandleSpec {
-  std::string path = {};  ///< for messages, such as "handles[0]"
-  std::string name = {};
-  handles::Selection select = {};
-  std::vector<handles::Keyframe> keyframes = {};  ///< times are those of the script
-  std::optional<handles::Point> center = {};      ///< none: the mean of its nodes
-  std::optional<double> soft = {};                ///< weight; none: held hard
+  std::string path = {};                          ///< Place in the scene for messages, such as "handles[0]".
+  std::string name = {};                          ///< Name for users.
+  handles::Selection select = {};                 ///< Nodes of the handle.
+  std::vector<handles::Keyframe> keyframes = {};  ///< Transforms at times of the script.
+  /// Centre of rotation and scaling; none is the mean of its nodes.
+  std::optional<handles::Point> center = {};
+  std::optional<double> soft = {};  ///< Weight of a soft handle; none holds it hard.
 };
 
-/// What moves, and when: handles and the frames they are looked at.
+/// The handles of a sequence, and the frames at which they are looked at.
 struct HandleScript {
-  std::vector<HandleSpec> handles;
-  double start = 0, end = 1;  ///< times
-  int frames = 10;
+  std::vector<HandleSpec> handles;  ///< The handles.
+  /// Time of frame 0.
+  double start = 0, end = 1;  ///< Time of the last frame.
+  int frames = 10;            ///< Number of frames after the rest shape.
 
-  /// Returns when handles leave their rest shape, where they begin elsewhere: between this time and `start`
-  /// they come from there.
+  /// Returns the time at which handles leave their rest shape where they begin elsewhere: between it and
+  /// `start` they come from there.
   double rest_time() const { return start - (end - start); }
-  /// Returns the time of a frame, 0 being the rest shape.
+  /// Returns the time of a frame; frame 0 is the rest shape.
   double time(int frame) const { return frame == frames ? end : start + (end - start) * frame / frames; }
 };
 

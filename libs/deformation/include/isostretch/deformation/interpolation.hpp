@@ -12,36 +12,38 @@
 
 namespace isostretch::deformation {
 
-// One frame, the poses at both ends included, which nothing is solved for.
+/// A frame of an interpolation. Those at both ends are the key shapes, for which nothing is solved.
 struct InterpolationFrame {
-  int number = 0;
-  double time = 0;
-  bool solved = true;       // false: a pose
-  newton::Summary summary;  // of the solve
-  std::string start;        // name of where it began
-  double seconds = 0;       // from the start on
-  Vector settled;           // the shape; see RigidPlacement
-  std::array<double, 2> psi;
-  double change = 0;      // distance from the frame before, without rigid motion, over the diagonal
-  bool complete() const;  // the sequence can go on
+  int number = 0;           ///< Number of the frame.
+  double time = 0;          ///< Time, 0 at the first key shape and 1 at the second.
+  bool solved = true;       ///< Whether it was solved for; false for a key shape.
+  newton::Summary summary;  ///< Summary of the solve.
+  std::string start;        ///< Name of the initial guess.
+  double seconds = 0;       ///< Seconds from the start on.
+  Vector settled;  ///< Positions without the rigid motion between the key shapes, see RigidPlacement.
+  std::array<double, 2> psi;  ///< Energies over both key shapes.
+  double change = 0;          ///< Distance from the frame before, without rigid motion, over the diagonal.
+  bool complete() const;      ///< Returns whether the sequence can go on.
 };
 
-// Makes frames in their order.
+/// An interpolation between key shapes that makes frames in their order.
 class Interpolation {
  public:
-  /// Throws Error unless both shapes belong together (require_pair) and the energy has its least value at
-  /// rest, and OptionError without frames.
-  Interpolation(const InterpolationOptions& options, const KeyShapes& poses,
+  /// Prepares the frames. Throws Error unless both shapes belong together, see require_pair(), and the energy
+  /// has its least value at rest, and OptionError without frames.
+  Interpolation(const InterpolationOptions& options, const KeyShapes& key_shapes,
                 const energies::AnyEnergy& energy, const Monitor& monitor = {});
 
-  // The next one. A request to stop and the limit of time end it after an iteration.
+  /// Makes the next frame. A request to stop and the limit of time end it after an iteration.
   InterpolationFrame next();
+  /// Returns whether all frames are made.
   bool done() const { return number_ > options_.frames; }
-  // Positions of a frame in its place between the poses. They depend on all frames: call it after the last.
+  /// Returns the positions of a frame in its place between the key shapes. They depend on all frames: call it
+  /// after the last.
   Vector placed(const InterpolationFrame& frame) const;
 
  private:
-  InterpolationFrame pose(Vector settled);
+  InterpolationFrame key_frame(Vector settled);
   InterpolationFrame solved();
   newton::Summary minimize(Vector& positions);
   void measure(InterpolationFrame& frame);
@@ -52,7 +54,7 @@ class Interpolation {
   ShapeEnergy energy_;
   newton::Solver solver_;
   ExtrapolatedStart starts_;
-  Vector before_;  // the frame before, settled
+  Vector before_;  ///< Positions of the frame before.
   double diagonal_;
   int number_ = 0;
 };

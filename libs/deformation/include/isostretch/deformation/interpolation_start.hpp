@@ -9,20 +9,22 @@
 
 namespace isostretch::deformation {
 
+/// A named initial guess of a frame.
 struct FrameStart {
-  std::string name;  // "previous", "extrapolated_2", "towards_second_1", ...
-  Vector positions;
+  std::string name;  ///< "previous", "extrapolated_2", "towards_second_1", ...
+  Vector positions;  ///< Positions, dim entries per node.
 };
 
-// Where frames start from: the frame before, or a polynomial through the last ones, up to four, which may
-// besides end in the second pose. The one of least energy is taken; each costs an evaluation of it.
+/// A chooser of initial guesses: the frame before, or a polynomial through the last ones, up to four, which
+/// may besides end in the second key shape. The one of least energy is taken; each costs an evaluation of it.
 class ExtrapolatedStart {
  public:
+  /// Makes a chooser without frames; `placement` must outlive it.
   ExtrapolatedStart(Continuation kind, const RigidPlacement& placement);
 
-  // A frame that was solved and settled.
+  /// Adds a frame that was solved and settled, at time t.
   void add(double t, const Vector& settled);
-  // The energy must be set to t.
+  /// Returns the guess of least energy at time t, to which the energy must be set.
   FrameStart start(double t, ShapeEnergy& energy) const;
 
  private:
@@ -30,12 +32,12 @@ class ExtrapolatedStart {
     double t;
     Vector positions;
   };
-  // `end` is at the time 1, or null.
+  /// Returns the polynomial at time t through the last frames and `end`, at time 1, unless that is null.
   Vector continued(double t, std::size_t frames, const Vector* end) const;
 
   Continuation kind_;
   const RigidPlacement& placement_;
-  std::vector<Sample> last_;  // frames, newest first
+  std::vector<Sample> last_;  ///< Frames, newest first.
 };
 
 }  // namespace isostretch::deformation

@@ -6,7 +6,8 @@
 
 namespace isostretch::deformation {
 
-// Of every element the least eigenvalue of S = sym(R^T F), with R [element][dim * dim] row by row.
+/// Returns for every element the least eigenvalue of S = sym(R^T F), with R [element][dim * dim] column by
+/// column.
 std::vector<double> least_eigenvalues(const SolidModel& body, const std::vector<double>& rotations,
                                       const Vector& positions);
 

@@ -11,27 +11,28 @@
 
 namespace isostretch::deformation {
 
-// What became of one frame.
+/// The outcome of one frame.
 struct FrameResult {
-  newton::Summary summary;  // of all parts of the step together: sums, and the status of the last
-  int parts = 0;            // solves; more than one where the handles had to be moved in parts
-  double seconds = 0;
-  bool reached = false;  // the handles are where they belong at the frame's time
-  double time = 0;       // at which `positions` are
-  std::string why;       // not reached: the reason
+  newton::Summary summary;  ///< All parts of the step together: sums, and the status of the last.
+  int parts = 0;            ///< Solves; more than one where the handles had to be moved in parts.
+  double seconds = 0;       ///< Seconds of the frame.
+  bool reached = false;     ///< Whether the handles are where they belong at the frame's time.
+  double time = 0;          ///< Time at which the positions are.
+  std::string why;          ///< Reason why the frame was not reached.
 };
 
-/// Moves a body along, frame by frame, with parts that the caller keeps: to go on from a frame that was made
-/// before, or to look at the energy between frames. Sequence is easier.
+/// A maker of frames from parts that the caller keeps: to go on from a frame that was made before, or to look
+/// at the energy between frames. Sequence is easier.
 class Stepper {
  public:
+  /// Prepares steps. All arguments that are references must outlive this object.
   Stepper(const SequenceOptions& options, const SolidModel& body, const HandleSet& handle_set,
           ElasticProblem& problem, Warn warn, const Monitor& monitor = {});
 
-  // From `positions`, which belong to the frame before, to this frame. Where the guess is outside the domain
-  // of the energy, the handles go half the way first, and so on; where even 1/4096 of the way is, the
-  // frame is not reached and the reason names the element. A request to
-  // stop and the limit of time end it after an iteration.
+  /// Moves `positions`, which belong to the frame before, to this frame. Where the initial guess is outside
+  /// the domain of the energy, the handles go half the way first, and so on; where even 1/4096 of the way is,
+  /// the frame is not reached and the reason names the element. A request to stop and the limit of time end
+  /// it after an iteration.
   FrameResult advance(int frame, Vector& positions);
 
  private:
@@ -54,20 +55,23 @@ class Stepper {
 /// handles are, each frame started from the one before, with one symbolic analysis for all.
 class Sequence {
  public:
-  /// Throws Error naming the handle or region at fault.
+  /// Prepares the frames. Throws Error naming the handle or region at fault.
   Sequence(SequenceOptions options, SolidModel body, const Monitor& monitor = {});
   ~Sequence();
+  /// Takes over the other sequence, which is left to be destroyed or assigned to.
   Sequence(Sequence&&) noexcept;
+  /// Takes over the other sequence, which is left to be destroyed or assigned to.
   Sequence& operator=(Sequence&&) noexcept;
 
-  /// Makes the next frame, see Stepper::advance(). Throws Error once done().
+  /// Makes the next frame, as Stepper::advance() does. Throws Error once done().
   FrameResult next();
   /// Returns whether the last frame is made, or one was not reached.
   bool done() const;
   /// Returns the number of the frame that was made last; 0 is the rest shape.
   int frame() const;
-  /// Returns the positions of that frame, dim entries a node.
+  /// Returns the positions of the frame that was made last, dim entries per node.
   const Vector& positions() const;
+  /// Returns the body at rest.
   const SolidModel& body() const;
 
  private:

@@ -14,17 +14,19 @@ namespace isostretch::deformation {
 /// the two given.
 void require_least_at_rest(const energies::AnyEnergy& energy, int dim);
 
-// (1 - t) psi_1 + t psi_2, where each pose is the rest shape of one.
+/// The energy (1 - t) psi_1 + t psi_2 of an interpolation, where each key shape is the rest shape of one.
 class ShapeEnergy {
  public:
-  // Nodes in `held` belong to no element and stay.
-  ShapeEnergy(const KeyShapes& poses, const energies::AnyEnergy& energy, const std::vector<int>& held);
+  /// Makes the terms of both energies. Nodes in `held` belong to no element and stay.
+  ShapeEnergy(const KeyShapes& key_shapes, const energies::AnyEnergy& energy, const std::vector<int>& held);
 
+  /// Returns the objective, over dim entries per node.
   newton::Objective& objective() { return objective_; }
+  /// Sets the time t, 0 to 1.
   void set_time(double t);
-  // At the time that is set; +infinity outside the domain.
+  /// Returns the energy at the time that is set; +infinity outside the domain.
   double value(const Vector& positions) { return objective_.value(positions).value; }
-  // psi_1 and psi_2, each above its value at rest.
+  /// Returns psi_1 and psi_2, each above its value at rest.
   std::array<double, 2> parts(const Vector& positions);
 
  private:

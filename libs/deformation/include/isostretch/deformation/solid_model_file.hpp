@@ -13,12 +13,12 @@ namespace isostretch::deformation {
 
 // From a file of elements to a body, step by step: what load_solid() and check_solid() share.
 
-/// Reads the elements of the file, with what spec.repair says of faces that are none and of welding; tells in
-/// a notice what was welded. Throws Error naming the file.
+/// Reads the elements of the file, with the treatment of faces and of welding in spec.repair; tells in a
+/// notice what was welded. Throws Error naming the file.
 mesh::ElementMesh read_solid_file(const SolidSpec& spec);
 
 /// Moves flat elements from their plane to z = 0 and returns the plane, none where that is z = 0. Throws
-/// Error naming a vertex that stands out of the plane by more than round-off; then only some vertices have
+/// Error naming a vertex that stands out of the plane by more than rounding; then only some vertices have
 /// moved.
 std::optional<Plane> flatten(mesh::ElementMesh& m);
 
@@ -26,10 +26,10 @@ std::optional<Plane> flatten(mesh::ElementMesh& m);
 /// leaving out copies; tells in a notice what was done. Throws Error naming the first such element otherwise.
 void mend(mesh::ElementMesh& m, const MeshRepair& repair, const std::string& file);
 
-/// Returns "tet 17 (vertices 3 9 12 40)".
+/// Returns an element with its vertices: "tet 17 (vertices 3 9 12 40)".
 std::string element_text(const mesh::ElementMesh& m, int e);
 
-/// Returns "1 tet", "1,234 tets".
+/// Returns a count with the name of a shape: "1 tet", "1,234 tets".
 std::string counted(std::ptrdiff_t count, mesh::Shape shape);
 
 /// Returns for every vertex whether it belongs to an element.

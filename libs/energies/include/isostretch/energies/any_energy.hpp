@@ -14,59 +14,75 @@
 
 namespace isostretch::energies {
 
+/// A named number of an energy, such as a shear modulus.
 struct Parameter {
-  std::string name;
-  double value;
-  std::string description;
+  std::string name;         ///< The name, as energies on the command line and in scenes spell it.
+  double value;             ///< The present value.
+  std::string description;  ///< A short description for users.
 };
 
-// An energy that evaluates whole chunks by itself, in the place of a struct for which templates are compiled:
-// made of other energies, or at run time. Both functions fill padding points too.
+/// An energy that evaluates whole chunks by itself, instead of a struct for which templates are compiled: one
+/// made of other energies, or at run time. psi() and derivatives() fill padding points too.
 class ChunkEnergy {
  public:
   virtual ~ChunkEnergy() = default;
+  /// Returns the name of the energy.
   virtual std::string name() const = 0;
+  /// Returns whether the energy exists in dimension `dim`, 2 or 3.
   virtual bool supports(int dim) const = 0;
-  virtual double determinant_bound() const = 0;  // as AnyEnergy::determinant_bound()
-  virtual bool coupled() const = 0;              // as AnyEnergy::coupled()
+  /// Returns the number that det F must stay above: 0 for a barrier, -infinity for an energy that is finite
+  /// under inversion.
+  virtual double determinant_bound() const = 0;
+  /// Returns whether A, the Hessian of psi over the stretches, has off-diagonal entries for some F.
+  virtual bool coupled() const = 0;
+  /// Returns the parameters with their present values; none unless overridden.
   virtual std::vector<Parameter> parameters() const { return {}; }
 
-  // psi alone, +infinity outside the domain; and everything in the chunk.
+  /// Computes chunk.psi from chunk.sigma, +infinity outside the domain.
   virtual void psi(int dim, const StretchChunk& chunk) const = 0;
+  /// Computes psi and all derivatives in the chunk from chunk.sigma.
   virtual void derivatives(int dim, const StretchChunk& chunk) const = 0;
 };
 
-/// Returns the kernels of a built-in energy, compiled for every instruction-set level; null for any other
+/// Returns the kernels of a built-in energy, compiled for every instruction-set level, or null for any other
 /// type, whatever its name: the kernels read the members of just that struct.
 const std::array<EnergyFunctions, isa_count>* builtin_functions(const std::type_info& energy);
 
-// Any energy behind one type: cheap to copy, safe to share between threads, one indirect call per chunk.
-//
-// Built-in energies run at the active instruction-set level. A user's own energy runs as it was compiled
-// where the AnyEnergy is made: give that source file -march=... for full speed.
-//
-// Making one throws Error, naming the energy, where a parameter breaks a rule of require_parameters(), and
-// where psi is NaN at an inverted stretch although no bound of the determinant is declared (evaluate.hpp):
-// the logarithm of a negative determinant would only show in the middle of a solve.
+/// Any energy behind one type: cheap to copy, safe to share between threads, one indirect call per chunk.
+///
+/// Built-in energies run at the active instruction-set level. A user's own energy runs as it was compiled
+/// where the AnyEnergy is made: give that source file -march=... for full speed.
 class AnyEnergy {
  public:
+  /// Makes an AnyEnergy of a struct as energies/evaluate.hpp describes it. Throws Error, naming the energy,
+  /// if a parameter breaks a rule of require_parameters(), or if psi is NaN at an inverted stretch although
+  /// no bound of the determinant is declared: the logarithm of a negative determinant would otherwise show
+  /// only in the middle of a solve.
   template <class Energy>
   requires requires { Energy::name; }
   AnyEnergy(Energy energy);  // NOLINT: implicit on purpose, an energy is an AnyEnergy
+  /// Makes an AnyEnergy of an energy that evaluates chunks by itself. Throws Error if psi is NaN at an
+  /// inverted stretch although no bound of the determinant is declared.
   explicit AnyEnergy(std::shared_ptr<const ChunkEnergy> energy);
 
+  /// Returns the name of the energy.
   const std::string& name() const noexcept { return name_; }
+  /// Returns whether the energy exists in dimension `dim`, 2 or 3.
   bool supports(int dim) const noexcept { return functions_[0].psi[dim - 2] != nullptr; }
-  // det F must stay above this: 0 for a barrier, -infinity for an energy that is finite under inversion.
+  /// Returns the number that det F must stay above: 0 for a barrier, -infinity for an energy that is finite
+  /// under inversion.
   double determinant_bound() const noexcept { return determinant_bound_; }
+  /// Returns whether the energy is infinite where det F is too small.
   bool has_barrier() const noexcept { return determinant_bound_ > -__builtin_inf(); }
-  // False when A is diagonal for every F.
+  /// Returns whether A, the Hessian of psi over the stretches, has off-diagonal entries for some F.
   bool coupled() const noexcept { return coupled_; }
+  /// Returns the parameters with their values.
   const std::vector<Parameter>& parameters() const noexcept { return parameters_; }
 
-  // chunk.psi from chunk.sigma. dim must be supported.
+  /// Computes chunk.psi from chunk.sigma, +infinity outside the domain. The energy must support `dim`.
   void evaluate_psi(int dim, const StretchChunk& chunk) const { active().psi[dim - 2](object_.get(), chunk); }
-  // Everything in the chunk from chunk.sigma; derivatives outside the domain (psi infinite) are unspecified.
+  /// Computes psi and all derivatives in the chunk from chunk.sigma; derivatives outside the domain, where
+  /// psi is infinite, are unspecified. The energy must support `dim`.
   void evaluate_derivatives(int dim, const StretchChunk& chunk) const {
     active().derivatives[dim - 2](object_.get(), chunk);
   }
@@ -78,8 +94,8 @@ class AnyEnergy {
 
   template <class Energy>
   void require_valid(const Energy& energy) const;
-  // Inverted stretches may have any finite or infinite psi, but no NaN unless the energy says that they are
-  // outside.
+  /// Throws Error if psi is NaN at an inverted stretch that the energy does not declare to be outside its
+  /// domain.
   void require_declared_domain() const;
 
   const EnergyFunctions& active() const { return functions_[static_cast<std::size_t>(active_isa())]; }
@@ -132,9 +148,11 @@ void AnyEnergy::require_valid(const Energy& energy) const {
 
 inline namespace ISOSTRETCH_ISA {
 
-// Everything at one stretch. Throws Error where the energy does not exist in this dimension or is infinite.
+/// Returns psi and its derivatives at one stretch. Throws Error where the energy does not exist in this
+/// dimension or is infinite.
 template <int Dim>
-StretchDerivatives<Dim, double> derivatives_at(const AnyEnergy& energy, const Stretch<Dim, double>& s) {
+StretchDerivatives<Dim, double> derivatives_at(const AnyEnergy& energy,
+                                               const PrincipalStretches<Dim, double>& s) {
   if (!energy.supports(Dim))
     throw Error("energy '" + energy.name() + "' does not exist in " + std::to_string(Dim) + "D");
   constexpr int points = 8, pairs = invariants::pair_count<Dim>;  // the least that every kernel takes

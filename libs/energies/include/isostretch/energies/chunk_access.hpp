@@ -8,15 +8,17 @@
 namespace isostretch::energies {
 inline namespace ISOSTRETCH_ISA {
 
+/// Returns the stretches of points i, i + 1, ... of a chunk, as many as a pack has lanes.
 template <int Dim>
-ISOSTRETCH_INLINE invariants::Stretch<Dim, Pack> load_stretch(const StretchChunk& chunk, int i) {
-  invariants::Stretch<Dim, Pack> s;
+ISOSTRETCH_INLINE invariants::PrincipalStretches<Dim, Pack> load_stretch(const StretchChunk& chunk, int i) {
+  invariants::PrincipalStretches<Dim, Pack> s;
   for (int e = 0; e < Dim; ++e)
     s.sigma[e] = load<Pack>(chunk.sigma + static_cast<std::size_t>(e) * chunk.stride + i);
   return s;
 }
 
-// Everything but psi, which each caller guards by its own domain.
+/// Writes the derivatives of points i, i + 1, ... to the chunk, without psi, which each caller guards by its
+/// own domain.
 template <int Dim>
 ISOSTRETCH_INLINE void store_derivatives(const StretchChunk& chunk, int i,
                                          const invariants::StretchDerivatives<Dim, Pack>& d) {

@@ -4,21 +4,21 @@
 //
 // An energy is a struct with a `name` and one of
 //   template <int Dim, class T> T psi(const Invariants<Dim, T>& I) const;
-//   template <int Dim, class T> T psi(const Stretch<Dim, T>& s) const;
-// each of which is enough on its own, jets derive the rest (as is an operator(), function_energy.hpp); and
-// optionally one of
+//   template <int Dim, class T> T psi(const PrincipalStretches<Dim, T>& s) const;
+// each of which is enough by itself, since jets derive the rest (and so is an operator(),
+// function_energy.hpp). Instead of the jets it may give one of
 //   template <int Dim, class T> Partials<T> partials(const Invariants<Dim, T>& I) const;
-//   template <int Dim, class T> void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d)
-//   const;
-// instead of the jets: forms in sigma are fastest, and accurate at any stretch. And
-//   static constexpr double minimum_determinant;   // barrier: psi = +infinity at det F <= this
-//   double determinant_bound() const;              // the same where it is a parameter
-//   static constexpr bool supports(int dim);       // both dimensions unless it says otherwise
-//   static constexpr bool decoupled;               // A is diagonal: no eigen-solve
-//   template <class V> void parameters(V&& visit); // visit("name", member, "what it is") for each: settable
-//   by name
-//   template <class R> void require_parameters(R&& require) const;  // require("name", member > 0, "must be
-//   positive") for each rule: an AnyEnergy of parameters that break one is refused
+//   template <int Dim, class T> void derivatives(const PrincipalStretches<Dim, T>& s, StretchDerivatives<Dim,
+//   T>&) const;
+// Forms in sigma are fastest, and accurate at any stretch. Further members that it may have:
+//   static constexpr double minimum_determinant;    // a barrier: psi = +infinity at det F <= this
+//   double determinant_bound() const;               // the same where it depends on a parameter
+//   static constexpr bool supports(int dim);        // both dimensions unless it says otherwise
+//   static constexpr bool decoupled;                // A is diagonal: no eigen-solve
+//   template <class V> void parameters(V&& visit);  // visit("name", member, "description") for each
+//   template <class R> void require_parameters(R&& require) const;
+//       // require("name", member > 0, "must be positive") for each rule; an AnyEnergy whose parameters
+//       // break one is refused
 //
 // Inside psi, functions of T are isostretch::log, exp, sqrt, pow(x, double), cbrt, ...: `using
 // isostretch::log;`.
@@ -30,6 +30,7 @@
 
 namespace isostretch::energies {
 
+/// Returns whether the energy exists in dimension `dim`: in 2 and 3 unless its own supports() says otherwise.
 template <class Energy>
 constexpr bool supports(int dim) {
   if constexpr (requires { Energy::supports(dim); }) {
@@ -39,7 +40,8 @@ constexpr bool supports(int dim) {
   }
 }
 
-// -infinity for energies that are finite everywhere.
+/// Returns the number that det F must stay above for the energy to be finite; -infinity for energies that are
+/// finite everywhere.
 template <class Energy>
 double determinant_bound(const Energy& energy) {
   if constexpr (requires { energy.determinant_bound(); }) {
@@ -53,8 +55,9 @@ double determinant_bound(const Energy& energy) {
 
 inline namespace ISOSTRETCH_ISA {
 
+/// Returns psi at a stretch, from whichever form the energy gives.
 template <int Dim, class T, class Energy>
-ISOSTRETCH_INLINE T evaluate_psi(const Energy& energy, const Stretch<Dim, T>& s) {
+ISOSTRETCH_INLINE T evaluate_psi(const Energy& energy, const PrincipalStretches<Dim, T>& s) {
   if constexpr (requires { energy.psi(s); }) {
     return energy.psi(s);
   } else {
@@ -62,8 +65,10 @@ ISOSTRETCH_INLINE T evaluate_psi(const Energy& energy, const Stretch<Dim, T>& s)
   }
 }
 
+/// Computes psi and its derivatives at a stretch: by the energy's own derivatives(), its partials(), or jets
+/// over psi.
 template <int Dim, class T, class Energy>
-ISOSTRETCH_INLINE void evaluate_derivatives(const Energy& energy, const Stretch<Dim, T>& s,
+ISOSTRETCH_INLINE void evaluate_derivatives(const Energy& energy, const PrincipalStretches<Dim, T>& s,
                                             StretchDerivatives<Dim, T>& d) {
   if constexpr (requires { energy.derivatives(s, d); }) {
     energy.derivatives(s, d);
@@ -87,7 +92,7 @@ inline constexpr bool has_barrier = requires(const Energy& e) {
 };
 
 template <int Dim, class Energy>
-ISOSTRETCH_INLINE Pack guarded(const Energy& energy, const Stretch<Dim, Pack>& s, Pack psi) {
+ISOSTRETCH_INLINE Pack guarded(const Energy& energy, const PrincipalStretches<Dim, Pack>& s, Pack psi) {
   if constexpr (has_barrier<Energy>) {
     const Pack infinity(__builtin_inf());
     // Not (J > bound), so that NaN counts as outside; an overflow inside the domain is infinite as well.

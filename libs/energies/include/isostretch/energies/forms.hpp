@@ -9,23 +9,23 @@ namespace isostretch::energies {
 using invariants::first;
 using invariants::Invariants;
 using invariants::Partials;
+using invariants::PrincipalStretches;
 using invariants::second;
-using invariants::Stretch;
 using invariants::StretchDerivatives;
 
 inline namespace ISOSTRETCH_ISA {
 
-// log J as a sum: the product could overflow.
+/// Returns log J as a sum of logarithms, since the product could overflow.
 template <int Dim, class T>
-ISOSTRETCH_INLINE T log_determinant(const Stretch<Dim, T>& s) {
+ISOSTRETCH_INLINE T log_determinant(const PrincipalStretches<Dim, T>& s) {
   T sum = log(s[0]);
   for (int i = 1; i < Dim; ++i) sum = sum + log(s[i]);
   return sum;
 }
 
-// J^(-2/dim).
+/// Returns J^(-2/dim).
 template <int Dim, class T>
-ISOSTRETCH_INLINE T isochoric_factor(const Stretch<Dim, T>& s) {
+ISOSTRETCH_INLINE T isochoric_factor(const PrincipalStretches<Dim, T>& s) {
   if constexpr (Dim == 2) {
     return 1.0 / s.J();
   } else {
@@ -33,16 +33,17 @@ ISOSTRETCH_INLINE T isochoric_factor(const Stretch<Dim, T>& s) {
   }
 }
 
-/// Cube roots of the stretches in 3D, and what isochoric invariants exceed their rest value by. Both excesses
-/// are sums of squares, from x^3 + y^3 + z^3 - 3xyz = (x + y + z) ((x-y)^2 + (y-z)^2 + (z-x)^2) / 2 with x =
-/// sigma^(2/3): near a similarity nothing cancels. All stretches must be positive.
+/// Cube roots of the stretches in 3D, and the excesses of isochoric invariants over their values at rest.
+/// Both excesses are sums of squares, from x^3 + y^3 + z^3 - 3xyz = (x + y + z) ((x-y)^2 + (y-z)^2 + (z-x)^2)
+/// / 2 with x = sigma^(2/3), so that nothing cancels near a similarity. All stretches must be positive.
 template <class T>
 struct CubeRoots {
-  T root[3];    // sigma^(1/3)
-  T square[3];  // sigma^(2/3)
-  T gap[3];     // of pair i: sigma_j^(2/3) - sigma_k^(2/3)
+  T root[3];    ///< sigma^(1/3).
+  T square[3];  ///< sigma^(2/3).
+  T gap[3];     ///< sigma_j^(2/3) - sigma_k^(2/3) of pair i.
 
-  ISOSTRETCH_INLINE explicit CubeRoots(const Stretch<3, T>& s) {
+  /// Takes the roots of the stretches.
+  ISOSTRETCH_INLINE explicit CubeRoots(const PrincipalStretches<3, T>& s) {
     for (int i = 0; i < 3; ++i) root[i] = cbrt(s[i]), square[i] = root[i] * root[i];
     for (int i = 0; i < 3; ++i) {
       const int j = first<3>(i), k = second<3>(i);
@@ -57,7 +58,7 @@ struct CubeRoots {
     return 0.5 * (square[0] + square[1] + square[2]) * gaps / (square[0] * square[1] * square[2]);
   }
 
-  /// Returns |cof F|^2 J^(-4/3) - 3: the same of the products of two stretches.
+  /// Returns |cof F|^2 J^(-4/3) - 3, the excess of the products of two stretches.
   ISOSTRETCH_INLINE T cofactor_excess() const {
     T sum(0.0), gaps(0.0);
     for (int i = 0; i < 3; ++i) {
@@ -73,7 +74,7 @@ struct CubeRoots {
 /// Returns |F|^2 J^(-2/dim) - dim of positive stretches, without the cancellation of that difference near a
 /// similarity.
 template <int Dim, class T>
-ISOSTRETCH_INLINE T isochoric_excess(const Stretch<Dim, T>& s) {
+ISOSTRETCH_INLINE T isochoric_excess(const PrincipalStretches<Dim, T>& s) {
   if constexpr (Dim == 2) {
     return square(s[0] - s[1]) / s.J();
   } else {
@@ -81,6 +82,7 @@ ISOSTRETCH_INLINE T isochoric_excess(const Stretch<Dim, T>& s) {
   }
 }
 
+/// Sets psi and all derivatives to zero.
 template <int Dim, class T>
 ISOSTRETCH_INLINE void set_zero(StretchDerivatives<Dim, T>& d) {
   d.psi = T(0.0);
@@ -88,7 +90,7 @@ ISOSTRETCH_INLINE void set_zero(StretchDerivatives<Dim, T>& d) {
   for (int i = 0; i < d.pairs; ++i) d.twist[i] = d.flip[i] = d.coupling[i] = T(0.0);
 }
 
-// All eigen-data are linear in psi.
+/// Multiplies psi and all derivatives, which are linear in psi, by a number.
 template <int Dim, class T>
 ISOSTRETCH_INLINE void scale_derivatives(double factor, StretchDerivatives<Dim, T>& d) {
   d.psi = factor * d.psi;
@@ -101,9 +103,10 @@ ISOSTRETCH_INLINE void scale_derivatives(double factor, StretchDerivatives<Dim, 
   }
 }
 
-// Adds the derivatives of a term w(J), w1 = w'(J) and w2 = w''(J); psi is left to the caller.
+/// Adds the derivatives of a term w(J), given w1 = w'(J) and w2 = w''(J); psi is left to the caller.
 template <int Dim, class T>
-ISOSTRETCH_INLINE void add_volumetric(const Stretch<Dim, T>& s, T w1, T w2, StretchDerivatives<Dim, T>& d) {
+ISOSTRETCH_INLINE void add_volumetric(const PrincipalStretches<Dim, T>& s, T w1, T w2,
+                                      StretchDerivatives<Dim, T>& d) {
   for (int i = 0; i < Dim; ++i) {
     const T g = s.others(i);
     d.gradient[i] = fma(w1, g, d.gradient[i]);
@@ -117,9 +120,10 @@ ISOSTRETCH_INLINE void add_volumetric(const Stretch<Dim, T>& s, T w1, T w2, Stre
   }
 }
 
-// Derivatives of h(y) + K/2 (J - 1)^2 with y = |F|^2 J^(-2/dim), h1 = h'(y), h2 = h''(y).
+/// Computes the derivatives of h(y) + K/2 (J - 1)^2 with y = |F|^2 J^(-2/dim), given h1 = h'(y) and h2 =
+/// h''(y).
 template <int Dim, class T>
-ISOSTRETCH_INLINE void isochoric_derivatives(const Stretch<Dim, T>& s, T h1, T h2, double K,
+ISOSTRETCH_INLINE void isochoric_derivatives(const PrincipalStretches<Dim, T>& s, T h1, T h2, double K,
                                              StretchDerivatives<Dim, T>& d) {
   constexpr double p = 2.0 / Dim;
   const T v = isochoric_factor(s), I2 = s.I2();

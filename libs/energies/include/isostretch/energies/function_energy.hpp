@@ -27,32 +27,39 @@
 
 namespace isostretch::energies {
 
+/// An energy that has a psi of the invariants or of the stretches in dimension Dim.
 template <class Energy, int Dim>
 concept HasPsi = requires(const Energy& energy, invariants::Invariants<Dim, double> I) {
   energy.psi(I);
 }
-|| requires(const Energy& energy, invariants::Stretch<Dim, double> s) {
+|| requires(const Energy& energy, invariants::PrincipalStretches<Dim, double> s) {
   energy.psi(s);
 };
+/// An energy that is callable with two numbers.
 template <class Energy>
 concept OfTwoNumbers = requires(const Energy& energy, double x) {
   energy(x, x);
 };
+/// An energy that is callable with three numbers.
 template <class Energy>
 concept OfThreeNumbers = requires(const Energy& energy, double x) {
   energy(x, x, x);
 };
 
+/// An energy that is a plain function of two or three numbers, the invariants or the stretches, and has no
+/// psi.
 template <class Energy>
 concept FunctionEnergy =
     !HasPsi<Energy, 2> && !HasPsi<Energy, 3> && (OfTwoNumbers<Energy> || OfThreeNumbers<Energy>);
 
 inline namespace ISOSTRETCH_ISA {
 
-// The struct with a psi that calls it.
+/// A function energy as a struct whose psi calls it.
 template <FunctionEnergy Energy>
 struct FunctionAsPsi : Energy {
+  /// Whether the function is one of stretches, not of invariants.
   static constexpr bool takes_stretches = requires { requires Energy::of_stretches; };
+  /// Returns whether the function takes as many numbers as dimension `dim` has invariants or stretches.
   static constexpr bool supports(int dim) {
     const bool is_called = takes_stretches && dim == 2 ? OfTwoNumbers<Energy> : OfThreeNumbers<Energy>;
     return is_called && energies::supports<Energy>(dim);
@@ -62,7 +69,7 @@ struct FunctionAsPsi : Energy {
   requires(!takes_stretches) ISOSTRETCH_INLINE T psi(const invariants::Invariants<Dim, T>& I)
   const { return (*this)(I.I1, I.I2, I.I3); }
   template <int Dim, class T>
-  requires takes_stretches ISOSTRETCH_INLINE T psi(const invariants::Stretch<Dim, T>& s)
+  requires takes_stretches ISOSTRETCH_INLINE T psi(const invariants::PrincipalStretches<Dim, T>& s)
   const {
     if constexpr (Dim == 2)
       return (*this)(s[0], s[1]);
@@ -71,7 +78,7 @@ struct FunctionAsPsi : Energy {
   }
 };
 
-// What has a psi already is itself.
+/// Returns the energy with a psi: itself if it has one, else a FunctionAsPsi of it.
 template <class Energy>
 auto with_psi(Energy energy) {
   if constexpr (FunctionEnergy<Energy>) {

@@ -17,14 +17,16 @@
 
 namespace isostretch::energies {
 
-// What the one symbol of a plug-in points to.
+/// The contents of an energy plug-in, a shared library with energies of the user's.
 struct Plugin {
-  const char* version;  // of isostretch
-  std::vector<EnergyEntry> (*entries)();
+  const char* version;                    ///< The version of isostretch that the plug-in was compiled with.
+  std::vector<EnergyEntry> (*entries)();  ///< Returns an entry for each energy of the plug-in.
 };
 
+/// The name of the one symbol that a plug-in exports, a Plugin.
 inline constexpr const char* plugin_symbol = "isostretch_energy_plugin";
 
+/// Returns the registry entries of several energy structs.
 template <class... Energies>
 std::vector<EnergyEntry> entries_of() {
   return {entry_of<Energies>()...};
@@ -32,6 +34,9 @@ std::vector<EnergyEntry> entries_of() {
 
 }  // namespace isostretch::energies
 
+/// Defines the symbol of a plug-in with the given energy structs. It is written once in the shared library,
+/// which must be compiled with the compiler and the version of isostretch that the app has: structures cross
+/// the boundary.
 #define ISOSTRETCH_ENERGY_PLUGIN(...)                                          \
   extern "C" const ::isostretch::energies::Plugin isostretch_energy_plugin;    \
   extern "C" const ::isostretch::energies::Plugin isostretch_energy_plugin = { \

@@ -9,29 +9,30 @@
 
 namespace isostretch::energies {
 
-// An energy by name and parameters. `make` throws Error naming a parameter that there is not, or whose value
-// is not finite.
+/// A named way to make an energy from parameters.
 struct EnergyEntry {
-  std::string name;
+  std::string name;  ///< The name in the registry.
+  /// Makes the energy with its default parameters but for those given. Throws Error naming a parameter that
+  /// does not exist, or whose value is not finite.
   AnyEnergy (*make)(const std::map<std::string, double>& parameters) = nullptr;
 };
 
-// The entry of a struct as AnyEnergy takes it.
+/// Returns the registry entry of an energy struct, as AnyEnergy takes it.
 template <class Energy>
 EnergyEntry entry_of();
 
-// Adds an energy of the caller's to the registry, for as long as the program runs. Throws Error when the name
-// is taken. Not while other threads use the registry.
+/// Adds an energy of the caller's to the registry, for as long as the program runs. Throws Error when the
+/// name is taken. Must not be called while other threads use the registry.
 void add_energy(EnergyEntry entry);
 
-// Names of all energies in alphabetical order.
+/// Returns the names of all energies in alphabetical order.
 std::vector<std::string> energy_names();
 
-// The energy of that name with its default parameters but for those given. An unknown name or
-// parameter, and a value that is not finite, throw Error naming what there is.
+/// Returns the energy of that name with its default parameters but for those given. Throws Error, which names
+/// what exists, for an unknown name or parameter, and for a value that is not finite.
 AnyEnergy make_energy(std::string_view name, const std::map<std::string, double>& parameters = {});
 
-// Throws Error where `given` has a name that is not `known`, or a value that is not finite.
+/// Throws Error if `given` has a name that is not in `known`, or a value that is not finite.
 void require_known_parameters(const char* energy, const std::vector<std::string>& known,
                               const std::map<std::string, double>& given);
 

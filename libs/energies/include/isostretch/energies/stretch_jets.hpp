@@ -18,8 +18,8 @@ inline namespace ISOSTRETCH_ISA {
 namespace detail {
 
 template <int Dim, class T, class Energy>
-ISOSTRETCH_INLINE invariants::Jet2<T> jet_of_psi(const Energy& energy, const Stretch<Dim, T>& s) {
-  Stretch<Dim, invariants::Jet2<T>> jets;
+ISOSTRETCH_INLINE invariants::Jet2<T> jet_of_psi(const Energy& energy, const PrincipalStretches<Dim, T>& s) {
+  PrincipalStretches<Dim, invariants::Jet2<T>> jets;
   for (int i = 0; i < Dim; ++i) jets.sigma[i] = invariants::Jet2<T>(s[i], i + 1);
   return energy.psi(jets);
 }
@@ -38,14 +38,14 @@ ISOSTRETCH_INLINE T mixed_derivative(const invariants::Jet2<T>& jet, int j, int 
   return sum == 1 ? jet.d12 : sum == 3 ? jet.d23 : jet.d13;
 }
 
-// The flip of a pair whose stretches are near each other.
+/// Returns the flip of a pair whose stretches are near each other.
 template <int Dim, class T, class Energy>
-ISOSTRETCH_INLINE T flip_nearby(const Energy& energy, const Stretch<Dim, T>& s, int j, int k) {
+ISOSTRETCH_INLINE T flip_nearby(const Energy& energy, const PrincipalStretches<Dim, T>& s, int j, int k) {
   constexpr double gauss[] = {0.21132486540518711775, 0.78867513459481288225};  // on [0, 1]
   const T middle = T(0.5) * (s[j] + s[k]), half = T(0.5) * (s[j] - s[k]);
   T mean(0.0);
   for (const double u : gauss) {
-    Stretch<Dim, T> at = s;
+    PrincipalStretches<Dim, T> at = s;
     at.sigma[j] = fma(half, T(u), middle);
     at.sigma[k] = fma(-half, T(u), middle);
     const auto jet = jet_of_psi(energy, at);
@@ -57,8 +57,9 @@ ISOSTRETCH_INLINE T flip_nearby(const Energy& energy, const Stretch<Dim, T>& s, 
 
 }  // namespace detail
 
+/// Computes psi and its derivatives from psi(sigma) alone, by second-order jets over the stretches.
 template <int Dim, class T, class Energy>
-ISOSTRETCH_INLINE void derivatives_by_stretch_jets(const Energy& energy, const Stretch<Dim, T>& s,
+ISOSTRETCH_INLINE void derivatives_by_stretch_jets(const Energy& energy, const PrincipalStretches<Dim, T>& s,
                                                    StretchDerivatives<Dim, T>& d) {
   constexpr double near_share = 1e-3;
   const auto jet = detail::jet_of_psi(energy, s);

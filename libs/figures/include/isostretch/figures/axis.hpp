@@ -5,29 +5,32 @@
 
 namespace isostretch::figures {
 
+/// A mark on an axis.
 struct Tick {
-  double value = 0;
-  std::string label;  // empty: a mark without a number
+  double value = 0;   ///< Value at the mark.
+  std::string label;  ///< Number beside the mark; empty for a mark without one.
 };
 
-// A range of values with ticks at round numbers.
+/// A range of values with ticks at round numbers.
 struct Axis {
-  double low = 0;
-  double high = 1;
-  bool logarithmic = false;
-  std::vector<Tick> ticks;
+  double low = 0;            ///< Value at the beginning.
+  double high = 1;           ///< Value at the end.
+  bool logarithmic = false;  ///< Whether positions are linear in the logarithm of values.
+  std::vector<Tick> ticks;   ///< Ticks, ascending.
 
-  // Position of a value: 0 at low, 1 at high.
+  /// Returns the position of a value: 0 at low, 1 at high.
   double position(double value) const;
 };
 
-// From 0 to at least `high` in at most `most_ticks` round steps; whole numbers only if asked.
+/// Returns an axis from 0 to at least `high` in at most `most_ticks` round steps; whole numbers only if
+/// asked.
 Axis linear_axis(double high, int most_ticks, bool whole = false);
 
-// Whole decades around positive values [low, high], labelled as powers of ten.
+/// Returns an axis of whole decades around positive values [low, high], labelled as powers of ten.
 Axis decade_axis(double low, double high, int most_ticks);
 
-// Exactly [low, high], logarithmic, with ticks at round numbers inside, also when that is less than a decade.
+/// Returns a logarithmic axis of exactly [low, high], with ticks at round numbers inside, also when that is
+/// less than a decade.
 Axis narrow_log_axis(double low, double high, int most_ticks);
 
 }  // namespace isostretch::figures

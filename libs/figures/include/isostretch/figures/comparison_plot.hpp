@@ -7,20 +7,22 @@
 
 namespace isostretch::figures {
 
-// One quantity of every method against one other; a curve a method, empty where there is none.
+/// A plot of one quantity of every method against another, a curve per method, empty where there is none.
 struct ComparisonPanel {
-  std::string title;
-  std::string x_label;
-  bool logarithmic_x = false, logarithmic_y = false;
-  // In units of the quantities. On logarithmic axes values that are not positive are drawn at the lower edge.
+  std::string title;    ///< Title above the plot.
+  std::string x_label;  ///< Name of the quantity along x.
+  /// Whether x is logarithmic.
+  bool logarithmic_x = false, logarithmic_y = false;  ///< Whether y is logarithmic.
+  /// Points of the curves, in units of the quantities. On logarithmic axes values that are not positive are
+  /// drawn at the lower edge.
   std::vector<std::vector<Point>> curves;
-  bool counts = true;            // a linear y axis has whole numbers
-  double lowest_y = 0;           // a logarithmic y axis goes no further down
-  std::vector<double> levels{};  // of y, drawn across
+  bool counts = true;            ///< Whether a linear y axis has whole numbers.
+  double lowest_y = 0;           ///< Value below which a logarithmic y axis does not go.
+  std::vector<double> levels{};  ///< Values of y that are drawn across.
 };
 
-// Panels of equal size in rows of `columns`, and the methods' names with their colours, dashes and marks on
-// the right, but for empty names; as the bytes of a file. A ring marks where a curve ends.
+/// Returns panels of equal size in rows of `columns` as the bytes of a file, with the methods' names, but for
+/// empty ones, and their colours, dashes and marks on the right. A ring marks where a curve ends.
 std::string draw_comparison(const std::string& title, const std::string& subtitle,
                             const std::vector<std::string>& names, const std::vector<ComparisonPanel>& panels,
                             int columns, PictureFormat format = PictureFormat::png);

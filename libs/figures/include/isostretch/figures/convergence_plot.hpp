@@ -7,9 +7,9 @@
 
 namespace isostretch::figures {
 
-// Four small plots: energy above the best energy of the run, and |gradient|_inf, both logarithmic, against
-// iterations and against seconds. Charts are solved one after the other: the energy is that of all, the
-// gradient that of the chart of the row, and a curve of its own for each.
+/// Draws four small plots: energy above the best energy of the run, and |gradient|_inf, both logarithmic,
+/// against iterations and against seconds. Charts are solved one after the other: the energy is that of all,
+/// the gradient that of the chart of the row, with a curve of its own for each.
 void draw_convergence(Canvas& canvas, const Box& box, const std::vector<newton::Iteration>& trace,
                       const std::vector<int>& chart_of_row);
 

@@ -8,24 +8,25 @@
 
 namespace isostretch::figures {
 
-// The states of a body, seen by one camera that fits the first, all at one scale.
+/// Views of the states of a body, seen by one camera that fits the first, all at one scale.
 class DeformedViews {
  public:
-  // For views so many pixels wide and at most so high, with that much room around the largest state. The
-  // figure must live longer.
+  /// Prepares views `width` pixels wide and at most `most_height` high, with `inset` pixels of room around
+  /// the largest state. The figure must outlive this object.
   DeformedViews(const DeformationFigure& figure, int width, double most_height, double inset);
   ~DeformedViews();
   DeformedViews(const DeformedViews&) = delete;
   DeformedViews& operator=(const DeformedViews&) = delete;
 
-  // What the highest state needs.
+  /// Returns the height that the highest state needs, in pixels.
   double height() const { return height_; }
 
+  /// Draws a state with its upper left corner at a point of the canvas.
   void draw(Canvas& canvas, std::size_t state, Point corner, int height, const DistortionScale& scale) const;
 
  private:
-  struct Kept;
-  std::unique_ptr<Kept> kept_;
+  struct Workspace;
+  std::unique_ptr<Workspace> workspace_;
   int width_;
   double scale_ = 1, height_ = 0;
 };

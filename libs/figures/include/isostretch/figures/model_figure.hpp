@@ -6,14 +6,15 @@
 
 namespace isostretch::figures {
 
+/// The contents of a figure of a model.
 struct ModelFigure {
-  std::string title;
-  std::string subtitle;
-  ModelData model;  // vertices anywhere
+  std::string title;     ///< Title above the figure.
+  std::string subtitle;  ///< Line below the title.
+  ModelData model;       ///< The model, with its vertices anywhere.
 };
 
-// The model from the front and from behind, side by side and equally large, chosen by guess_pose(): a PNG
-// 1600 pixels wide and, as the model needs, 400 to 900 high, as bytes.
+/// Returns the model from the front and from behind, side by side and equally large, chosen by guess_pose():
+/// the bytes of a PNG 1600 pixels wide and, as the model needs, 400 to 900 high.
 std::string draw_model(const ModelFigure& figure);
 
 }  // namespace isostretch::figures

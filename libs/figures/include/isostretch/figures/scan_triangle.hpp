@@ -6,11 +6,13 @@
 
 namespace isostretch::figures {
 
-// Where the line from a to b crosses the row y widens the span [left, right]. It comes out the same to the
-// bit from b to a: a sample on an edge would otherwise fall between the triangles on both sides.
+/// The span of a row within a triangle.
 struct Span {
-  double left = HUGE_VAL, right = -HUGE_VAL;
+  /// Left end.
+  double left = HUGE_VAL, right = -HUGE_VAL;  ///< Right end.
 
+  /// Widens the span to where the line from a to b crosses the row y. The result is the same to the bit from
+  /// b to a: a sample on an edge would otherwise fall between the triangles on both sides.
   void cross(const double* a, const double* b, double y) {
     if ((a[1] <= y) == (b[1] <= y)) return;
     if (a[1] > b[1]) std::swap(a, b);
@@ -20,14 +22,14 @@ struct Span {
   }
 };
 
-// First sample centre at or beyond a coordinate, kept in [0, count]; NaN gives 0.
+/// Returns the first sample centre at or beyond a coordinate, kept in [0, count]; NaN gives 0.
 inline int first_sample(double coordinate, int count) {
   const double c = std::ceil(coordinate - 0.5);
   return c > 0 ? static_cast<int>(std::min(c, static_cast<double>(count))) : 0;
 }
 
-// Calls visit(row, from, to) for the rows of samples inside a triangle, in [from, to). Corners are x and y in
-// turn, in samples, in either orientation. A sample on an edge of two triangles belongs to one of them.
+/// Calls visit(row, from, to) for the rows of samples inside a triangle, in [from, to). Corners are x and y
+/// in turn, in samples, in either orientation. A sample on an edge of two triangles belongs to one of them.
 template <class Visit>
 void scan_triangle(const double (&p)[6], int columns, int rows, Visit&& visit) {
   const int last = first_sample(std::max({p[1], p[3], p[5]}), rows);

@@ -8,10 +8,10 @@ namespace isostretch::handles {
 
 using assembly::component_of_nodes;
 
-// Elements all of whose nodes are among the chosen ones, ascending.
+/// Returns the elements all of whose nodes are among the chosen ones, ascending.
 std::vector<int> elements_within(const std::vector<int>& chosen, const assembly::Elements& elements);
 
-// Those elements alone; nodes keep their numbers.
+/// Returns the chosen elements alone; nodes keep their numbers.
 assembly::Elements restricted(const assembly::Elements& elements, const std::vector<int>& chosen);
 
 }  // namespace isostretch::handles

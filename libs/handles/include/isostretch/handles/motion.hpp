@@ -8,51 +8,56 @@
 
 namespace isostretch::handles {
 
-// Rotated by `degrees` about an axis through the centre, scaled about the centre, then translated.
+/// A rotation by `degrees` about an axis through a centre, a scaling about the centre, and then a
+/// translation.
 struct Transform {
-  Point translation = Point::Zero();
-  Point axis = Point::UnitZ();  // of any length but zero
-  double degrees = 0;           // more than a full turn counts
-  double scale = 1;
+  Point translation = Point::Zero();  ///< Translation, in the units of positions.
+  Point axis = Point::UnitZ();        ///< Axis of rotation, of any length but zero.
+  double degrees = 0;                 ///< Angle of rotation; more than a full turn counts.
+  double scale = 1;                   ///< Factor of lengths.
 };
 
+/// A transform at a time.
 struct Keyframe {
-  double time = 0;
-  Transform transform;
+  double time = 0;      ///< Time, in the units of the motion.
+  Transform transform;  ///< Transform from the rest position.
 };
 
-// A rotation that knows how often it went round.
-struct Turn {
-  Point axis = Point::UnitZ();  // of any length but zero; not looked at in 2D
-  double degrees = 0;           // more than a full turn counts
+/// A rotation about an axis that counts full axis_angles.
+struct AxisAngle {
+  Point axis = Point::UnitZ();  ///< Axis of rotation, of any length but zero; ignored in 2D.
+  double degrees = 0;           ///< Angle of rotation; more than a full turn counts.
 };
 
-// A transform at one time, ready to be applied.
+/// A transform at one time as an affine map.
 struct Placement {
-  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();  // scaled rotation
-  Point center = Point::Zero();
-  Point translation = Point::Zero();
+  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();  ///< Rotation times scale.
+  Point center = Point::Zero();                          ///< Centre of rotation and scaling.
+  Point translation = Point::Zero();                     ///< Translation.
 
+  /// Returns the position of a point that is at `rest` at rest.
   Point operator()(const Point& rest) const { return linear * (rest - center) + center + translation; }
 };
 
-// How a handle moves. Between keyframes translation and scale are linear in time, and so is the angle as long
-// as the axis stays (opposite axes are the same axis). Where it changes, the rotation goes the shortest way
-// on the great arc (slerp), and full turns do not count. Before the first and after the last keyframe it
-// rests.
+/// The motion of a handle by keyframes. Between them translation and scale are linear in time, and so is the
+/// angle as long as the axis stays (opposite axes are the same axis). Where the axis changes, the rotation
+/// goes the shortest way on the great arc (slerp), and full axis_angles do not count. Before the first and
+/// after the last keyframe the handle rests.
 class Motion {
  public:
-  // Throws Error, beginning with `name`, without keyframes, for times that do not ascend, an axis of length
-  // zero, a scale that is not positive, and numbers that are not finite.
+  /// Makes a motion about a centre. Throws Error, beginning with `name`, without keyframes, for times that do
+  /// not ascend, an axis of length zero, a scale that is not positive, and numbers that are not finite.
   Motion(std::vector<Keyframe> keyframes, const Point& center, const std::string& name);
 
+  /// Returns the transform at a time.
   Placement at(double time) const;
 
-  // The rotation of at(time) with its full turns where the axis stays; between keyframes whose axes differ,
-  // by 180 degrees at most. The axis has length one, and is z rather than -z, so that degrees count
-  // counter-clockwise in 2D.
-  Turn turn(double time) const;
+  /// Returns the rotation of at(time), with its full turns where the axis stays; between keyframes whose axes
+  /// differ, by 180 degrees at most. The axis has length one, and is z rather than -z, so that degrees count
+  /// counter-clockwise in 2D.
+  AxisAngle axis_angle(double time) const;
 
+  /// Returns the keyframes.
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
 
  private:
@@ -60,7 +65,7 @@ class Motion {
   Point center_;
 };
 
-// The centre of a handle that says none: the mean of its nodes at rest.
+/// Returns the mean of the chosen nodes at rest, the centre of a handle without another.
 Point center_of(const std::vector<int>& chosen, const Nodes& nodes);
 
 }  // namespace isostretch::handles

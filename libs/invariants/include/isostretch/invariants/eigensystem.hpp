@@ -14,34 +14,44 @@
 namespace isostretch::invariants {
 inline namespace ISOSTRETCH_ISA {
 
+/// A deformation gradient or another Dim x Dim matrix.
 template <int Dim>
 using MatrixD = Eigen::Matrix<double, Dim, Dim>;
+/// A vec'ed Dim x Dim matrix, column by column: Dim^2 entries.
 template <int Dim>
 using VectorD2 = Eigen::Matrix<double, Dim * Dim, 1>;
+/// A matrix that maps vec'ed matrices, Dim^2 x Dim^2.
 template <int Dim>
 using MatrixD2 = Eigen::Matrix<double, Dim * Dim, Dim * Dim>;
 
+/// Returns the entries of M column by column: vec(M) = (M00, M10, ...).
 template <int Dim>
 VectorD2<Dim> vec(const MatrixD<Dim>& M) {
   return Eigen::Map<const VectorD2<Dim>>(M.data());
 }
 
-// The modes that all isotropic energies share, unit and mutually orthogonal, as vec'ed matrices:
-//   twist_i = U A_i V^T / sqrt 2 (A_i antisymmetric in the plane of pair i), flip_i likewise symmetric,
-//   scaling_i = U e_i e_i^T V^T.
+/// The modes that all isotropic energies share at one F: unit and mutually orthogonal vec'ed matrices (Smith,
+/// de Goes, Kim 2019, section 4).
 template <int Dim>
 struct Modes {
-  linalg::SignedSvd<Dim> svd;
+  linalg::SignedSvd<Dim> svd;  ///< F = U diag(sigma) V^T.
 
+  /// Decomposes F.
   explicit Modes(const MatrixD<Dim>& F) : svd(linalg::signed_svd<Dim>(F)) {}
 
+  /// Returns the twist of a pair: vec(U A V^T) / sqrt 2, A antisymmetric in the plane of the pair.
   VectorD2<Dim> twist(int pair) const { return planar(pair, -1.0); }
+  /// Returns the flip of a pair: vec(U A V^T) / sqrt 2, A symmetric in the plane of the pair, with a zero
+  /// diagonal.
   VectorD2<Dim> flip(int pair) const { return planar(pair, 1.0); }
+  /// Returns scaling mode i: vec(U e_i e_i^T V^T).
   VectorD2<Dim> scaling(int i) const { return vec<Dim>(svd.U.col(i) * svd.V.col(i).transpose()); }
+  /// Returns the rotation R = U V^T of the polar decomposition.
   MatrixD<Dim> rotation() const { return svd.U * svd.V.transpose(); }
 
-  Stretch<Dim, double> stretch() const {
-    Stretch<Dim, double> s;
+  /// Returns the signed singular values.
+  PrincipalStretches<Dim, double> stretch() const {
+    PrincipalStretches<Dim, double> s;
     for (int i = 0; i < Dim; ++i) s.sigma[i] = svd.sigma[i];
     return s;
   }
@@ -55,24 +65,25 @@ struct Modes {
   }
 };
 
+/// Returns the invariants I1, I2, I3 of the stretch of F.
 template <int Dim>
 Invariants<Dim, double> invariants(const MatrixD<Dim>& F) {
   return Modes<Dim>(F).stretch().invariants();
 }
 
-// d I1 / d F = R.
+/// Returns R = d I1 / d F, Dim x Dim.
 template <int Dim>
 MatrixD<Dim> gradient_I1(const MatrixD<Dim>& F) {
   return Modes<Dim>(F).rotation();
 }
 
-// d I2 / d F = 2 F.
+/// Returns 2 F = d I2 / d F, Dim x Dim.
 template <int Dim>
 MatrixD<Dim> gradient_I2(const MatrixD<Dim>& F) {
   return 2.0 * F;
 }
 
-// d I3 / d F: the cofactor matrix.
+/// Returns the cofactor matrix of F, d I3 / d F, Dim x Dim.
 template <int Dim>
 MatrixD<Dim> gradient_I3(const MatrixD<Dim>& F) {
   MatrixD<Dim> C;
@@ -90,9 +101,9 @@ MatrixD<Dim> gradient_I3(const MatrixD<Dim>& F) {
   return C;
 }
 
-// d vec(R) / d vec(F), the rotation gradient, which is also the Hessian of I1: eigenvalue 2 / (sigma_j +
-// sigma_k) on each twist, zero elsewhere (Eqs. 10-13). Bounded as Stretch::safe_sum says where R is not
-// unique.
+/// Returns the rotation gradient d vec(R) / d vec(F), which is also the Hessian of I1: eigenvalue 2 /
+/// (sigma_j + sigma_k) on each twist, zero elsewhere (Smith, de Goes, Kim 2019, Eqs. 10-13). Bounded as
+/// PrincipalStretches::safe_sum says where R is not unique.
 template <int Dim>
 MatrixD2<Dim> rotation_gradient(const MatrixD<Dim>& F) {
   const Modes<Dim> modes(F);
@@ -105,19 +116,21 @@ MatrixD2<Dim> rotation_gradient(const MatrixD<Dim>& F) {
   return H;
 }
 
+/// Returns the Hessian of I1 over vec(F), the rotation gradient.
 template <int Dim>
 MatrixD2<Dim> hessian_I1(const MatrixD<Dim>& F) {
   return rotation_gradient<Dim>(F);
 }
 
+/// Returns the Hessian of I2 over vec(F), 2 I.
 template <int Dim>
 MatrixD2<Dim> hessian_I2(const MatrixD<Dim>&) {
   return 2.0 * MatrixD2<Dim>::Identity();
 }
 
-// Eigenvalues sigma_i on twist_i, -sigma_i on flip_i (1 and -1 in 2D), and the scaling block with sigma_k at
-// (i, j) (Eqs. 15-18); assembled here without a decomposition, as the constant or linear function of F that
-// it is.
+/// Returns the Hessian of I3 over vec(F): eigenvalues sigma_i on twist_i, -sigma_i on flip_i (1 and -1 in
+/// 2D), and the scaling block with sigma_k at (i, j) (Smith, de Goes, Kim 2019, Eqs. 15-18). It is assembled
+/// without a decomposition, as the constant or linear function of F that it is.
 template <int Dim>
 MatrixD2<Dim> hessian_I3(const MatrixD<Dim>& F) {
   MatrixD2<Dim> H = MatrixD2<Dim>::Zero();
@@ -140,12 +153,13 @@ MatrixD2<Dim> hessian_I3(const MatrixD<Dim>& F) {
   return H;
 }
 
-// Invariants of the right Cauchy-Green tensor C = F^T F: I_C = tr C, II_C = |C|^2, III_C = det C (appendix A;
-// its label on the second is misprinted).
+/// The invariants of the right Cauchy-Green tensor C = F^T F: I_C = tr C, II_C = |C|^2, III_C = det C (Smith,
+/// de Goes, Kim 2019, appendix A, whose label on the second is misprinted).
 struct CauchyGreenInvariants {
   double I_C, II_C, III_C;
 };
 
+/// Returns the invariants of the right Cauchy-Green tensor that belong to I1, I2, I3.
 template <int Dim>
 CauchyGreenInvariants cauchy_green(const Invariants<Dim, double>& I) {
   if constexpr (Dim == 2) return {I.I2, I.I2 * I.I2 - 2.0 * I.I3 * I.I3, I.I3 * I.I3};

@@ -9,16 +9,18 @@
 namespace isostretch::invariants {
 inline namespace ISOSTRETCH_ISA {
 
+/// A number with its first and second derivatives with respect to three variables.
 template <class T>
 struct Jet2 {
-  T v;
-  T d1, d2, d3;
-  T d11, d22, d33, d12, d23, d13;
+  T v;                             ///< The value.
+  T d1, d2, d3;                    ///< The first derivatives.
+  T d11, d22, d33, d12, d23, d13;  ///< The second derivatives.
 
   Jet2() = default;
+  /// Makes a constant.
   ISOSTRETCH_INLINE Jet2(double constant) : Jet2(T(constant), 0) {}
 
-  // variable: 1, 2 or 3 for an independent variable, 0 for a constant.
+  /// Makes independent variable 1, 2 or 3, or a constant for variable 0.
   ISOSTRETCH_INLINE Jet2(T value, int variable)
       : v(value),
         d1(variable == 1 ? 1.0 : 0.0),
@@ -32,7 +34,7 @@ struct Jet2 {
         d13(0.0) {}
 };
 
-// h(x) with h, h', h'' at x.v.
+/// Returns h(x), given h, h' and h'' at x.v.
 template <class T>
 ISOSTRETCH_INLINE Jet2<T> chain(const Jet2<T>& x, T h, T dh, T ddh) {
   Jet2<T> r;
@@ -107,7 +109,7 @@ ISOSTRETCH_INLINE Jet2<T> operator/(const Jet2<T>& x, const Jet2<T>& y) {
   return x * reciprocal(y);
 }
 
-// Mixed with plain numbers: the derivatives of the number are not multiplied out.
+/// Returns x times a plain number, whose derivatives are not multiplied out.
 template <class T>
 ISOSTRETCH_INLINE Jet2<T> scaled(const Jet2<T>& x, T s) {
   Jet2<T> r;
@@ -118,6 +120,7 @@ ISOSTRETCH_INLINE Jet2<T> scaled(const Jet2<T>& x, T s) {
   return r;
 }
 
+/// Returns x plus a plain number.
 template <class T>
 ISOSTRETCH_INLINE Jet2<T> shifted(Jet2<T> x, T s) {
   x.v = x.v + s;
@@ -203,7 +206,7 @@ ISOSTRETCH_INLINE Jet2<T> expm1(const Jet2<T>& x) {
   return chain(x, h, e, e);
 }
 
-// x^p with a constant real exponent, x > 0. Exponents that energies have need no logarithm.
+/// Returns x^p with a constant real exponent, x > 0. The exponents that energies have need no logarithm.
 template <class T>
 ISOSTRETCH_INLINE Jet2<T> pow(const Jet2<T>& x, double p) {
   if (p == -1) return reciprocal(x);
@@ -222,7 +225,7 @@ ISOSTRETCH_INLINE Jet2<T> abs(const Jet2<T>& x) {
   return chain(x, abs(x.v), copysign(T(1.0), x.v), T(0.0));
 }
 
-// Branches compare values; the derivatives are those of the branch taken.
+/// Returns the comparison of the values. The derivatives of what follows are those of the branch taken.
 template <class T>
 ISOSTRETCH_INLINE auto operator<(const Jet2<T>& x, const Jet2<T>& y) {
   return x.v < y.v;

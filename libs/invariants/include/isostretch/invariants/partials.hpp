@@ -15,7 +15,8 @@
 namespace isostretch::invariants {
 inline namespace ISOSTRETCH_ISA {
 
-// psi and its partial derivatives: P1 = d psi / d I1, P12 = d2 psi / d I1 d I2, ...
+/// An energy density and its partial derivatives with respect to the invariants: P1 = d psi / d I1, P12 = d2
+/// psi / d I1 d I2, ...
 template <class T>
 struct Partials {
   T psi{};
@@ -23,11 +24,12 @@ struct Partials {
   T P11{}, P22{}, P33{}, P12{}, P23{}, P13{};
 
   Partials() = default;
-  // Zero but for what a closed form then sets.
+  /// Makes a constant: all derivatives are zero until a closed form sets them.
   ISOSTRETCH_INLINE explicit Partials(T value)
       : psi(value), P1(0.0), P2(0.0), P3(0.0), P11(0.0), P22(0.0), P33(0.0), P12(0.0), P23(0.0), P13(0.0) {}
 };
 
+/// Returns psi(I1, I2, I3) of an energy with all its partial derivatives, by second-order jets.
 template <int Dim, class T, class Energy>
 ISOSTRETCH_INLINE Partials<T> partials_by_jets(const Energy& energy, const Invariants<Dim, T>& I) {
   const Jet2<T> psi = energy.psi(Invariants<Dim, Jet2<T>>{{I.I1, 1}, {I.I2, 2}, {I.I3, 3}});
@@ -38,8 +40,11 @@ ISOSTRETCH_INLINE Partials<T> partials_by_jets(const Energy& energy, const Invar
   return p;
 }
 
+/// Computes the derivatives over the stretch from those over the invariants: twist_i = 2 P1 / (sigma_j +
+/// sigma_k) + 2 P2 + sigma_i P3, flip_i = 2 P2 - sigma_i P3 (Smith, de Goes, Kim 2019, Eqs. 22, 23 and
+/// section 5.3).
 template <int Dim, class T>
-ISOSTRETCH_INLINE void derivatives_from_partials(const Stretch<Dim, T>& s, const Partials<T>& p,
+ISOSTRETCH_INLINE void derivatives_from_partials(const PrincipalStretches<Dim, T>& s, const Partials<T>& p,
                                                  StretchDerivatives<Dim, T>& d) {
   const T two(2.0), four(4.0);
   d.psi = p.psi;

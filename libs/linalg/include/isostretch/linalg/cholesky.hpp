@@ -9,8 +9,9 @@
 namespace isostretch::linalg {
 inline namespace ISOSTRETCH_ISA {
 
-/// Replaces the lower triangle of an n x n matrix by that of its Cholesky factor. Returns the first column
-/// without a positive pivot, or -1; with such a column the rest is unfinished.
+/// Replaces the lower triangle of an n x n symmetric matrix by that of its Cholesky factor. L(i, j) refers to
+/// row i, column j. Returns the first column without a positive pivot, or -1; with such a column the rest is
+/// unfinished.
 template <class Entry>
 ISOSTRETCH_INLINE int cholesky(int n, const Entry& L) {
   for (int j = 0; j < n; ++j) {
@@ -24,7 +25,7 @@ ISOSTRETCH_INLINE int cholesky(int n, const Entry& L) {
   return -1;
 }
 
-/// Replaces the n entries z(i) by the solution y of L y = z.
+/// Replaces the n entries z(i) by the solution y of L y = z, L lower triangular.
 template <class Entry, class Right>
 ISOSTRETCH_INLINE void solve_lower(int n, const Entry& L, const Right& z) {
   for (int j = 0; j < n; ++j) {
@@ -33,7 +34,7 @@ ISOSTRETCH_INLINE void solve_lower(int n, const Entry& L, const Right& z) {
   }
 }
 
-/// Replaces the n entries z(i) by the solution y of L^T y = z.
+/// Replaces the n entries z(i) by the solution y of L^T y = z, L lower triangular.
 template <class Entry, class Right>
 ISOSTRETCH_INLINE void solve_lower_transposed(int n, const Entry& L, const Right& z) {
   for (int j = n - 1; j >= 0; --j) {
@@ -42,8 +43,8 @@ ISOSTRETCH_INLINE void solve_lower_transposed(int n, const Entry& L, const Right
   }
 }
 
-/// Makes L the Cholesky factor of A, zeros above the diagonal. Returns whether A is positive definite; L is
-/// unfinished if not.
+/// Makes L the Cholesky factor of A, with zeros above the diagonal. Returns whether A is positive definite; L
+/// is unfinished if not.
 template <int Dim>
 ISOSTRETCH_INLINE bool cholesky(const Mat<Dim>& A, Mat<Dim>& L) {
   for (int i = 0; i < Dim; ++i)

@@ -8,11 +8,14 @@
 namespace isostretch::linalg {
 inline namespace ISOSTRETCH_ISA {
 
-/// A Dim x Dim matrix: m[i][j] is row i, column j. `Mat<3> A{}` is zero, `Mat<3> A` has no values yet.
+/// A Dim x Dim matrix on the stack: m[i][j] is row i, column j. `Mat<3> A{}` is zero, `Mat<3> A` has no
+/// values yet.
 template <int Dim, class T = double>
 struct Mat {
   T m[Dim][Dim];
+  /// Returns row i.
   ISOSTRETCH_INLINE T* operator[](int i) { return m[i]; }
+  /// Returns row i.
   ISOSTRETCH_INLINE const T* operator[](int i) const { return m[i]; }
 };
 
@@ -95,7 +98,7 @@ ISOSTRETCH_INLINE Mat<Dim, T> symmetric_part(const Mat<Dim, T>& A) {
   return B;
 }
 
-/// Returns the sum of products of corresponding entries, tr(A^T B).
+/// Returns tr(A^T B), the sum of products of corresponding entries.
 template <int Dim, class T>
 ISOSTRETCH_INLINE T inner_product(const Mat<Dim, T>& A, const Mat<Dim, T>& B) {
   T sum(0.0);
@@ -104,7 +107,7 @@ ISOSTRETCH_INLINE T inner_product(const Mat<Dim, T>& A, const Mat<Dim, T>& B) {
   return sum;
 }
 
-/// Returns the matrix of cofactors of a 2 x 2 or 3 x 3 matrix: the derivative of its determinant.
+/// Returns the cofactor matrix of a 2 x 2 or 3 x 3 matrix, the derivative of its determinant.
 template <int Dim, class T>
 ISOSTRETCH_INLINE Mat<Dim, T> cofactor(const Mat<Dim, T>& A) {
   static_assert(Dim == 2 || Dim == 3);

@@ -17,6 +17,8 @@
 namespace isostretch::linalg {
 inline namespace ISOSTRETCH_ISA {
 
+/// The signed singular value decomposition F = U diag(sigma) V^T, with rotations U and V and sigma_0 >= ...
+/// >= |sigma_last|.
 template <int Dim, class T>
 struct Svd {
   Mat<Dim, T> U;
@@ -26,8 +28,8 @@ struct Svd {
 
 namespace detail {
 
-// Two columns count as orthogonal when the cosine between them is below this: just above the rounding of dot
-// products.
+/// The cosine between two columns below which they count as orthogonal, just above the rounding of dot
+/// products.
 inline constexpr double orthogonality = 1e-15;
 inline constexpr int max_sweeps = 15;
 
@@ -47,9 +49,9 @@ ISOSTRETCH_INLINE void rotate_columns(Mat<Dim, T>& B, int p, int q, T c, T s) {
   }
 }
 
-// Makes columns p < q of B orthogonal with the longer one first, and rotates V along. Returns whether any
-// lane was not yet orthogonal. Lanes that are in order stay as they are bit for bit: a lane's result is
-// independent of its neighbours.
+/// Makes columns p < q of B orthogonal with the longer one first, and rotates V along. Returns whether any
+/// lane was not yet orthogonal. Lanes that are in order stay as they are bit for bit: a lane's result is
+/// independent of its neighbours.
 template <int Dim, bool WithV, class T>
 ISOSTRETCH_INLINE bool orthogonalize(Mat<Dim, T>& B, Mat<Dim, T>& V, int p, int q) {
   const T a = column_dot(B, p, p), b = column_dot(B, q, q), g = column_dot(B, p, q);
@@ -82,7 +84,7 @@ ISOSTRETCH_INLINE void orthogonalize_columns(Mat<Dim, T>& B, Mat<Dim, T>& V) {
   }
 }
 
-// 1 / (a power of two near the largest entry); 1 for a zero matrix.
+/// Returns a power of two near the largest entry; 1 for a zero matrix.
 template <int Dim, class T>
 ISOSTRETCH_INLINE T exact_scale(const Mat<Dim, T>& F) {
   T largest(0.0);
@@ -99,8 +101,8 @@ ISOSTRETCH_INLINE T norm(const T (&a)[Dim]) {
   return sqrt(sum);
 }
 
-// Divides a by a power of two near its largest entry and returns that power (1 for a = 0): what follows may
-// square the entries of a column as short as 1e-300.
+/// Divides a by a power of two near its largest entry and returns that power (1 for a = 0): what follows may
+/// square the entries of a column as short as 1e-300.
 template <int Dim, class T>
 ISOSTRETCH_INLINE T extract_scale(T (&a)[Dim]) {
   T largest = abs(a[0]);
@@ -112,7 +114,7 @@ ISOSTRETCH_INLINE T extract_scale(T (&a)[Dim]) {
   return scale;
 }
 
-// First column of U and sigma_0; e_0 for a zero matrix.
+/// Makes u the first column of U and returns sigma_0; e_0 and 0 for a zero column.
 template <int Dim, class T>
 ISOSTRETCH_INLINE T normalize_first(T (&u)[Dim]) {
   const T zero(0.0), one(1.0);
@@ -131,7 +133,8 @@ ISOSTRETCH_INLINE void cross(const T (&a)[3], const T (&b)[3], T (&c)[3]) {
   c[2] = product_difference(a[0], b[1], a[1], b[0]);
 }
 
-// A unit vector perpendicular to the unit vector a: e_k x a normalised, k the smallest component of a.
+/// Makes `result` a unit vector perpendicular to the unit vector a: e_k x a normalised, k the smallest
+/// component of a.
 template <class T>
 ISOSTRETCH_INLINE void any_perpendicular(const T (&a)[3], T (&result)[3]) {
   const T x = abs(a[0]), y = abs(a[1]), z = abs(a[2]);
@@ -146,8 +149,8 @@ ISOSTRETCH_INLINE void any_perpendicular(const T (&a)[3], T (&result)[3]) {
   for (int i = 0; i < 3; ++i) result[i] = result[i] * inverse;
 }
 
-// U and sigma from B = U diag(sigma) with orthogonal columns in descending order; B's largest entry is
-// about 1.
+/// Computes U and sigma from B = U diag(sigma), whose columns are orthogonal and in descending order; the
+/// largest entry of B is about 1.
 template <class T>
 ISOSTRETCH_INLINE void split_columns(const Mat<3, T>& B, Mat<3, T>& U, T (&sigma)[3]) {
   T u0[3], u1[3], u2[3];
@@ -189,7 +192,9 @@ ISOSTRETCH_INLINE void split_columns(const Mat<2, T>& B, Mat<2, T>& U, T (&sigma
 
 }  // namespace detail
 
-// WithV = false leaves V untouched and unset: for callers that need U and sigma, or sigma alone.
+/// Computes the signed singular value decomposition of F by one-sided Jacobi rotations (Hestenes 1958, with
+/// de Rijk's pivoting). WithV = false leaves V untouched and unset, for callers that need U and sigma, or
+/// sigma alone.
 template <int Dim, bool WithV = true, class T>
 ISOSTRETCH_INLINE void signed_svd(const Mat<Dim, T>& F, Svd<Dim, T>& result) {
   const T scale = detail::exact_scale(F);

@@ -11,6 +11,7 @@
 namespace isostretch::linalg {
 inline namespace ISOSTRETCH_ISA {
 
+/// The eigen-decomposition A = Q diag(lambda) Q^T, with a rotation Q and lambda in no particular order.
 template <int Dim, class T>
 struct SymmetricEigen {
   T lambda[Dim];
@@ -19,8 +20,8 @@ struct SymmetricEigen {
 
 namespace detail {
 
-// Zeroes A[p][q] where it matters beside the diagonal (Demmel & Veselic's relative test, with an absolute
-// floor for indefinite A); lanes where it does not matter stay untouched.
+/// Zeroes A[p][q] where it matters beside the diagonal (the relative test of Demmel & Veselic, with an
+/// absolute floor for indefinite A). Lanes where it does not matter stay untouched.
 template <bool WithVectors, int Dim, class T>
 ISOSTRETCH_INLINE bool annihilate(Mat<Dim, T>& A, Mat<Dim, T>& Q, int p, int q) {
   const T zero(0.0), one(1.0);
@@ -48,7 +49,8 @@ ISOSTRETCH_INLINE bool annihilate(Mat<Dim, T>& A, Mat<Dim, T>& Q, int p, int q) 
 
 }  // namespace detail
 
-// WithVectors = false leaves Q untouched and unset: for callers that need eigenvalues alone.
+/// Computes the eigen-decomposition of a symmetric matrix by cyclic Jacobi rotations. WithVectors = false
+/// leaves Q untouched and unset, for callers that need eigenvalues alone.
 template <bool WithVectors = true, int Dim, class T>
 ISOSTRETCH_INLINE void symmetric_eigen(const Mat<Dim, T>& matrix, SymmetricEigen<Dim, T>& result) {
   const T scale = detail::exact_scale(matrix);

@@ -11,17 +11,18 @@ namespace isostretch::linalg {
 inline namespace ISOSTRETCH_ISA {
 
 /// The eigen-decomposition of one symmetric matrix of up to Capacity rows, by Householder's reduction to
-/// tridiagonal form and QL steps with Wilkinson's shift (Golub and Van Loan, 8.3): for sizes at which
-/// Jacobi's sweeps over all pairs of rows (symmetric_eigen.hpp) take longer, and sizes known only at run
-/// time.
+/// tridiagonal form and QL steps with Wilkinson's shift (Golub and Van Loan, 8.3). It is meant for sizes at
+/// which Jacobi's sweeps over all pairs of rows (symmetric_eigen.hpp) take longer, and for sizes known only
+/// at run time.
 ///
-/// Why not that of Eigen: its steps leave functions in the library whose code depends on the instruction set,
-/// of which a program compiled for another may get the wrong copy. Here everything is plain arrays, on which
-/// this takes no longer.
+/// Eigen's own solver is not used because it leaves functions in the library whose code depends on the
+/// instruction set, of which a program compiled for another may get the wrong copy. Here everything is plain
+/// arrays, on which this takes no longer.
 template <int Capacity>
 class SymmetricEigenQl {
  public:
-  /// Decomposes an n x n matrix given with all its entries, row i at A + i * n.
+  /// Decomposes an n x n matrix that is given with all its entries, row i at A + i * n. n is at most
+  /// Capacity.
   SymmetricEigenQl(const double* A, int n) : n_(n) {
     converged_ = std::all_of(A, A + n * n, [](double entry) { return std::isfinite(entry); });
     if (!converged_) return;
@@ -34,17 +35,18 @@ class SymmetricEigenQl {
     for (int i = 0; i < n_; ++i) value_[i] *= scale_;
   }
 
-  /// Returns false where the matrix is not finite, or an eigenvalue was not found in 30 steps.
+  /// Returns false if the matrix is not finite, or if an eigenvalue was not found in 30 steps.
   bool converged() const { return converged_; }
-  /// Returns eigenvalue i of n, in no order, and its eigenvector of unit length, n entries.
+  /// Returns eigenvalue i of n, in no particular order.
   double value(int i) const { return value_[i]; }
+  /// Returns the unit eigenvector of eigenvalue i, n entries.
   const double* vector(int i) const { return vector_[i].data(); }
 
  private:
   using Row = std::array<double, Capacity>;
-  static constexpr double negligible_square = 1e-290;  // beside 1, and its inverse is finite
+  static constexpr double negligible_square = 1e-290;  ///< Negligible beside 1, and with a finite inverse.
 
-  // Entries of at most 1, such that no square overflows or vanishes.
+  /// Copies the matrix, scaled to entries of at most 1, such that no square overflows or vanishes.
   void copy_scaled(const double* A) {
     scale_ = 0;
     for (int i = 0; i < n_ * n_; ++i) scale_ = std::max(scale_, std::abs(A[i]));
@@ -52,8 +54,8 @@ class SymmetricEigenQl {
       for (int j = 0; j < n_; ++j) a_[i][j] = scale_ > 0 ? A[i * n_ + j] / scale_ : 0.0;
   }
 
-  // H A H with H = I - beta v v^T, such that column k ends below its first off-diagonal entry. v is kept in
-  // that column, beta beside it.
+  /// Replaces A by H A H with H = I - beta v v^T, such that column k ends below its first off-diagonal entry.
+  /// v is kept in that column, beta beside it.
   void reduce(int k) {
     const int first = k + 1;
     double below = 0;
@@ -83,7 +85,7 @@ class SymmetricEigenQl {
     beta_[k] = beta;
   }
 
-  // The product of all reflections, with its columns as rows.
+  /// Forms the product of all reflections, with its columns as rows.
   void accumulate() {
     for (int i = 0; i < n_; ++i) {
       for (int j = 0; j < n_; ++j) vector_[i][j] = 0;
@@ -120,7 +122,8 @@ class SymmetricEigenQl {
     return std::abs(off_[i]) <= std::max(tiny, rounding * (std::abs(value_[i]) + std::abs(value_[i + 1])));
   }
 
-  // One implicit step on rows begin ... end, from the bottom up, the shift from the block at the top.
+  /// Takes one implicit step on rows begin ... end, from the bottom up, with the shift from the block at the
+  /// top.
   void ql_step(int begin, int end) {
     const double half = 0.5 * (value_[begin + 1] - value_[begin]), e = off_[begin];
     const double shift = value_[begin] - e * e / (half + std::copysign(std::hypot(half, e), half));
@@ -138,7 +141,7 @@ class SymmetricEigenQl {
     }
   }
 
-  // The plane rotation of rows i and i + 1 that leads (x, z), x of row i + 1, to (length, 0).
+  /// Applies the plane rotation of rows i and i + 1 that leads (x, z), x of row i + 1, to (length, 0).
   void rotate(int i, double c, double s) {
     const double low = value_[i], high = value_[i + 1], e = off_[i];
     value_[i] = c * c * low - 2 * c * s * e + s * s * high;

@@ -6,7 +6,7 @@
 
 namespace isostretch::mesh {
 
-// The rows listed, in that order.
+/// Returns the listed rows of a matrix, in the order of the list.
 template <class Matrix>
 Matrix gather(const Matrix& matrix, const std::vector<int>& rows) {
   Matrix gathered(static_cast<Eigen::Index>(rows.size()), matrix.cols());

@@ -4,7 +4,7 @@
 
 namespace isostretch::mesh {
 
-// An index of a mesh as one of a container.
+/// Returns an index of a mesh as one of a container.
 inline std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }

@@ -9,44 +9,54 @@
 
 namespace isostretch::mesh {
 
+/// A vector in space.
 using Vector3 = std::array<double, 3>;
 
+/// Returns the vector from point `from` to point `to`.
 inline Vector3 edge_vector(const Points3& points, int from, int to) {
   return {points(to, 0) - points(from, 0), points(to, 1) - points(from, 1), points(to, 2) - points(from, 2)};
 }
 
+/// Returns the scalar product.
 inline double dot(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/// Returns the Euclidean length.
 inline double length(const Vector3& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
 
+/// Returns the vector product.
 inline Vector3 cross(const Vector3& a, const Vector3& b) {
   return {product_difference(a[1], b[2], a[2], b[1]), product_difference(a[2], b[0], a[0], b[2]),
           product_difference(a[0], b[1], a[1], b[0])};
 }
 
-// Of a triangle in the plane, to about one rounding of the result.
+/// Returns the signed area of a triangle in the plane, to about one rounding of the result. `v` has the
+/// indices of its corners.
 template <class Corners>
 double signed_area(const Points2& uv, const Corners& v) {
   return 0.5 * product_difference(uv(v[1], 0) - uv(v[0], 0), uv(v[2], 1) - uv(v[0], 1),
                                   uv(v[1], 1) - uv(v[0], 1), uv(v[2], 0) - uv(v[0], 0));
 }
 
-// A triangle in space seen from its longest edge: base from corner `first` to the next one, the third corner
-// above.
+/// The size of a triangle in space, seen from its longest edge: the base runs from corner `first` to the next
+/// one, with the third corner above.
 struct TriangleShape {
-  int first = 0;      // local corner where the base begins
-  double base = 0;    // length of the longest edge
-  double height = 0;  // of the third corner over it
-  double before = 0;  // foot of the height from the beginning of the base
-  double after = 0;   // and from its end; before + after = base
+  int first = 0;      ///< Local corner where the base begins.
+  double base = 0;    ///< Length of the longest edge.
+  double height = 0;  ///< Height of the third corner over the base.
+  double before = 0;  ///< Distance of the foot of the height from the beginning of the base.
+  double after = 0;   ///< Distance of the foot of the height from the end of the base; before + after = base.
+  /// Returns the area.
   double area() const { return 0.5 * base * height; }
+  /// Returns whether the triangle is flat to rounding: the height is at most degenerate_height times the
+  /// base.
   bool degenerate() const { return !(height > degenerate_height * base); }
 };
 
+/// Returns the size of a triangle; `v` has the indices of its corners.
 template <class Corners>
 TriangleShape triangle_shape(const Points3& points, const Corners& v) {
   Vector3 edge[3];
@@ -68,17 +78,19 @@ TriangleShape triangle_shape(const Points3& points, const Corners& v) {
   return shape;
 }
 
-// Six times the signed volume, and its size against which zero is judged.
+/// The size of a tetrahedron: its volume, and the lengths against which zero is judged.
 struct TetShape {
-  double six_volumes = 0;
-  double longest_edge = 0;
-  double largest_face = 0;  // twice its area
-  // Smallest height against the longest edge.
+  double six_volumes = 0;   ///< Six times the signed volume.
+  double longest_edge = 0;  ///< Length of the longest edge.
+  double largest_face = 0;  ///< Twice the area of the largest face.
+  /// Returns whether the tetrahedron is flat to rounding: its smallest height is at most degenerate_height
+  /// times the longest edge.
   bool degenerate() const {
     return !(std::abs(six_volumes) > degenerate_height * largest_face * longest_edge);
   }
 };
 
+/// Returns the size of a tetrahedron; `v` has the indices of its corners.
 template <class Corners>
 TetShape tet_shape(const Points3& points, const Corners& v) {
   TetShape shape;

@@ -8,7 +8,7 @@
 
 namespace isostretch::mesh {
 
-// "9987 9970 9494": the vertices of an element, as they stand in the mesh.
+/// Returns the vertices of an element as they are numbered in the mesh: "9987 9970 9494".
 template <class Elements>
 std::string vertex_list(const Elements& elements, Eigen::Index element) {
   std::string text;
@@ -19,13 +19,15 @@ std::string vertex_list(const Elements& elements, Eigen::Index element) {
   return text;
 }
 
-// "triangle 18564 (vertices 9987 9970 9494)".
+/// Returns an element with its vertices for a message: "triangle 18564 (vertices 9987 9970 9494)". `what` is
+/// the name of its shape.
 template <class Elements>
 std::string element_text(const char* what, const Elements& elements, Eigen::Index element) {
   return std::string(what) + " " + std::to_string(element) + " (vertices " + vertex_list(elements, element) +
          ")";
 }
 
+/// Returns whether all vertices of an element are in 0 ... count - 1.
 template <class Elements>
 bool indices_in_range(const Elements& elements, Eigen::Index element, Eigen::Index count) {
   for (Eigen::Index c = 0; c < elements.cols(); ++c)
@@ -33,13 +35,15 @@ bool indices_in_range(const Elements& elements, Eigen::Index element, Eigen::Ind
   return true;
 }
 
-// The mesh that elements of an assembly are made of has some.
+/// Throws Error if there are no elements. `what` is the name of their shape.
 template <class Elements>
 void require_any(const Elements& elements, const char* what) {
   if (elements.rows() == 0)
     throw Error(std::string("the mesh is empty: there is no ") + what + " to make elements of");
 }
 
+/// Throws Error naming the first point with a coordinate that is not finite. `what` is the name of the
+/// points, such as vertex.
 template <class Points>
 void require_finite(const Points& points, const char* what) {
   for (Eigen::Index i = 0; i < points.rows(); ++i)
@@ -48,6 +52,8 @@ void require_finite(const Points& points, const char* what) {
         throw Error(std::string(what) + " " + std::to_string(i) + " has a coordinate that is not finite");
 }
 
+/// Throws Error naming the first element with a vertex outside 0 ... count - 1. `what` is the name of its
+/// shape.
 template <class Elements>
 void require_indices(const Elements& elements, Eigen::Index count, const char* what) {
   for (Eigen::Index e = 0; e < elements.rows(); ++e)
@@ -57,7 +63,7 @@ void require_indices(const Elements& elements, Eigen::Index count, const char* w
 }
 
 /// Throws Error naming the vertex or triangle unless coordinates are finite, indices in range, and texture
-/// coordinates, where there are any, one triangle for each of the surface.
+/// coordinates, if there are any, given by one triangle for each of the surface.
 inline void require_consistent(const SurfaceMesh& mesh) {
   require_finite(mesh.vertices, "vertex");
   require_indices(mesh.triangles, mesh.vertices.rows(), "triangle");

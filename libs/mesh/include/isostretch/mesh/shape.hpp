@@ -2,12 +2,12 @@
 
 namespace isostretch::mesh {
 
-/// Kinds of elements. Their nodes are in VTK's order, see types.hpp.
+/// The shapes of elements. Their nodes are in VTK's order, which mesh/types.hpp spells out.
 enum class Shape { triangle, quadratic_triangle, quad, tet, quadratic_tet, hex };
 
-/// Returns the name in words: "quadratic tet".
+/// Returns the name of the shape in words, such as "quadratic tet".
 const char* shape_name(Shape shape) noexcept;
-/// Returns 2 for flat shapes and 3 for solid ones.
+/// Returns the dimension of the shape: 2 for flat shapes, 3 for solid ones.
 int shape_dim(Shape shape) noexcept;
 /// Returns the number of nodes of an element.
 int shape_node_count(Shape shape) noexcept;

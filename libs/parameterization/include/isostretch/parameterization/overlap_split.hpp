@@ -7,18 +7,20 @@
 
 namespace isostretch::parameterization {
 
-// What was done about charts that lay on themselves.
+/// The division of charts that lie on themselves.
 struct OverlapSplit {
-  bool done = false;        // charts were looked at, and divided where needed
-  double share_before = 0;  // of the area of charts, under more than one triangle of its chart
-  std::size_t charts_added = 0;
-  double cut_length = 0;  // added, in units of the model
+  bool done = false;  ///< Whether charts were looked at, and divided where needed.
+  /// Share of the area of charts that lay under more than one triangle of its chart before.
+  double share_before = 0;
+  std::size_t charts_added = 0;  ///< Number of charts that were added.
+  double cut_length = 0;         ///< Length of the cuts that were added, in units of the model.
 };
 
-// Divides charts until none lies on itself, if the options say so. Domain, start and solution follow.
+/// Divides charts until none lies on itself, if the options say so, and returns what was done. Domain, start
+/// and solution follow.
 OverlapSplit split_overlap(Domain& domain, Start& start, Solution& solution, const Options& options);
 
-// Charts that have one of the triangles, ascending.
+/// Returns the charts that have one of the overlapping triangles, ascending.
 std::vector<int> charts_concerned(const Domain& domain, const mesh::Overlap& overlap);
 
 }  // namespace isostretch::parameterization

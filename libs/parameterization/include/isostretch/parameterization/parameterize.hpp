@@ -9,14 +9,14 @@
 
 namespace isostretch::parameterization {
 
-/// A flattened surface, and how it came about.
+/// A flattened surface, and the steps by which it was made.
 struct Parameterization {
-  Domain domain;       ///< the surface as it was cut
-  Start start;         ///< charts, and the layout that the minimisation started from
-  Solution solution;   ///< the minimised layout, chart by chart
-  OverlapSplit split;  ///< what was done about charts that lay on themselves
-  Layout layout;       ///< the result in output units
-  PhaseTimes times;    ///< seconds: domain, start, solve, overlap, layout
+  Domain domain;       ///< The surface as it was cut.
+  Start start;         ///< The charts, and the layout that the minimisation started from.
+  Solution solution;   ///< The minimised layout, chart by chart.
+  OverlapSplit split;  ///< The division of charts that lay on themselves.
+  Layout layout;       ///< The result in output units.
+  PhaseTimes times;    ///< Seconds of the phases domain, start, solve, overlap and layout.
 
   /// Returns whether the minimisation converged, no triangle is turned over, and max_distortion is met.
   bool succeeded(const Options& options) const;

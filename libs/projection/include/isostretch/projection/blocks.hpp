@@ -19,7 +19,7 @@ inline namespace ISOSTRETCH_ISA {
 
 using linalg::Mat;
 
-// P = d psi / d F = U diag(d psi / d sigma) V^T.
+/// Returns the first Piola-Kirchhoff stress P = d psi / d F = U diag(d psi / d sigma) V^T.
 template <int Dim, class T>
 ISOSTRETCH_INLINE Mat<Dim, T> pk1(const Mat<Dim, T>& U, const T (&gradient)[Dim], const Mat<Dim, T>& V) {
   Mat<Dim, T> P;
@@ -32,7 +32,8 @@ ISOSTRETCH_INLINE Mat<Dim, T> pk1(const Mat<Dim, T>& U, const T (&gradient)[Dim]
   return P;
 }
 
-// The Hessian in the singular frame: A, p and q above, multiplied by a weight.
+/// The Hessian at a point in the singular frame, multiplied by a weight: A, p = (flip + twist) / 2 and q =
+/// (flip - twist) / 2.
 template <int Dim, class T>
 struct BlockCoefficients {
   T A[Dim][Dim];
@@ -50,7 +51,8 @@ struct BlockCoefficients {
     }
   }
 
-  // U M U^T for rest gradients g, h in the frame of V.
+  /// Returns the dim x dim block U M U^T between two nodes, given their rest gradients g and h in the frame
+  /// of V: M_ii = A_ii g_i h_i + sum_j p_ij g_j h_j, M_ij = A_ij g_i h_j + q_ij g_j h_i.
   ISOSTRETCH_INLINE Mat<Dim, T> block(const Mat<Dim, T>& U, const T (&g)[Dim], const T (&h)[Dim]) const {
     Mat<Dim, T> M;
     T gh[Dim];
@@ -83,9 +85,9 @@ struct BlockCoefficients {
   }
 };
 
-// Calls sink(a, b, K_ab) for every block a <= b of an element of Nodes nodes, given the rest gradients of
-// nodes 1, 2, ... in the frame of V. Rest gradients add up to zero over an element, hence so do rows of
-// blocks: those of node 0 are minus the sums of the others'.
+/// Calls sink(a, b, K_ab) for every block a <= b of an element of Nodes nodes, given the rest gradients of
+/// nodes 1, 2, ... in the frame of V. Rest gradients add up to zero over an element, hence so do rows of
+/// blocks: those of node 0 are minus the sums of the others.
 template <int Dim, int Nodes, class T, class Sink>
 ISOSTRETCH_INLINE void for_each_block(const BlockCoefficients<Dim, T>& coefficients, const Mat<Dim, T>& U,
                                       const T (&g)[Nodes][Dim], const Sink& sink) {
@@ -113,8 +115,8 @@ ISOSTRETCH_INLINE void for_each_block(const BlockCoefficients<Dim, T>& coefficie
   sink(0, 0, with_first[0]);
 }
 
-// Calls sink(a, r, value) for every entry of the gradient of an element of so many nodes: weight P b_a,
-// likewise with node 0 last.
+/// Calls sink(a, r, value) for every entry of the gradient of an element of that many nodes, weight P b_a.
+/// Node 0, whose entries are minus the sums of the others, comes last.
 template <int Dim, class T, class RestGradient, class Sink>
 ISOSTRETCH_INLINE void for_each_force(int nodes, const Mat<Dim, T>& P, T weight,
                                       const RestGradient& rest_gradient, const Sink& sink) {
@@ -133,7 +135,7 @@ ISOSTRETCH_INLINE void for_each_force(int nodes, const Mat<Dim, T>& P, T weight,
   for (int r = 0; r < Dim; ++r) sink(0, r, first[r]);
 }
 
-// b in the frame of V: V^T b.
+/// Computes V^T b, the rest gradient b in the frame of V.
 template <int Dim, class T>
 ISOSTRETCH_INLINE void rotate_gradient(const Mat<Dim, T>& V, const T (&b)[Dim], T (&g)[Dim]) {
   for (int i = 0; i < Dim; ++i) {

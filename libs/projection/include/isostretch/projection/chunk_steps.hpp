@@ -10,6 +10,7 @@
 namespace isostretch::projection {
 inline namespace ISOSTRETCH_ISA {
 
+/// Returns the matrices of points i, i + 1, ..., as many as T has lanes, from entries column by column.
 template <int Dim, class T = Pack>
 ISOSTRETCH_INLINE Mat<Dim, T> load_matrix(const double* data, std::size_t stride, int i) {
   Mat<Dim, T> M;
@@ -19,13 +20,15 @@ ISOSTRETCH_INLINE Mat<Dim, T> load_matrix(const double* data, std::size_t stride
   return M;
 }
 
+/// Writes the matrices of points i, i + 1, ..., entries column by column.
 template <int Dim, class T>
 ISOSTRETCH_INLINE void store_matrix(double* data, std::size_t stride, int i, const Mat<Dim, T>& M) {
   for (int c = 0; c < Dim; ++c)
     for (int r = 0; r < Dim; ++r) store(data + static_cast<std::size_t>(r + Dim * c) * stride + i, M[r][c]);
 }
 
-// U, sigma, V of points i ... i + wide_lanes - 1 from their F; WithVectors = false leaves U and V alone.
+/// Computes U, sigma, V of points i ... i + wide_lanes - 1 from their F. WithVectors = false leaves U and V
+/// alone.
 template <int Dim, bool WithVectors>
 ISOSTRETCH_INLINE void decompose(const Mat<Dim, WidePack>& F, const PointChunk& chunk, int i) {
   linalg::Svd<Dim, WidePack> svd;
@@ -38,6 +41,7 @@ ISOSTRETCH_INLINE void decompose(const Mat<Dim, WidePack>& F, const PointChunk& 
   }
 }
 
+/// Returns the derivatives of points i, i + 1, ... of a chunk, as many as a pack has lanes.
 template <int Dim>
 ISOSTRETCH_INLINE invariants::StretchDerivatives<Dim, Pack> load_derivatives(const energies::StretchChunk& c,
                                                                              int i) {

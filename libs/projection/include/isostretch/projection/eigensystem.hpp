@@ -12,15 +12,17 @@
 namespace isostretch::projection {
 inline namespace ISOSTRETCH_ISA {
 
-// Columns of `vectors` are vec'ed matrices, unit and mutually orthogonal: first the twists, then the flips
-// (pair i spans the plane of first(i) and second(i), invariants/stretch.hpp), then dim scaling modes.
+/// The eigenvalues and eigenvectors of the energy Hessian over vec(F). The columns of `vectors` are vec'ed
+/// matrices, unit and mutually orthogonal: first the twists, then the flips (pair i spans the plane of
+/// first(i) and second(i), invariants/stretch.hpp), then dim scaling modes.
 template <int Dim>
 struct Eigensystem {
-  Eigen::Matrix<double, Dim * Dim, 1> values;
-  Eigen::Matrix<double, Dim * Dim, Dim * Dim> vectors;
+  Eigen::Matrix<double, Dim * Dim, 1> values;           ///< One per column of `vectors`, in its order.
+  Eigen::Matrix<double, Dim * Dim, Dim * Dim> vectors;  ///< Eigenvectors in columns.
 };
 
-// Throws Error where the energy does not exist in this dimension or is infinite at F.
+/// Returns the eigensystem of the energy Hessian at F, in closed form (Smith, de Goes, Kim 2019, section 4).
+/// Throws Error where the energy does not exist in this dimension or is infinite at F.
 template <int Dim>
 Eigensystem<Dim> eigensystem(const energies::AnyEnergy& energy, const Eigen::Matrix<double, Dim, Dim>& F) {
   constexpr int pairs = invariants::pair_count<Dim>;

@@ -11,7 +11,7 @@
 namespace isostretch::projection {
 inline namespace ISOSTRETCH_ISA {
 
-// `bound`: of bounded_abs alone.
+/// Returns an eigenvalue after filtering; `bound` is the largest magnitude that bounded_abs may give it.
 template <Filter filter, class T>
 ISOSTRETCH_INLINE T filtered(T lambda, T bound, double threshold, double strength) {
   if constexpr (filter == Filter::none) return lambda;
@@ -21,7 +21,7 @@ ISOSTRETCH_INLINE T filtered(T lambda, T bound, double threshold, double strengt
   return strength == 1.0 ? target : fma(T(strength), target - lambda, lambda);
 }
 
-// A = D + C as a matrix.
+/// Returns A, the scaling block, as a matrix.
 template <int Dim, class T>
 ISOSTRETCH_INLINE linalg::Mat<Dim, T> scaling_block(const invariants::StretchDerivatives<Dim, T>& d) {
   linalg::Mat<Dim, T> A;
@@ -33,7 +33,7 @@ ISOSTRETCH_INLINE linalg::Mat<Dim, T> scaling_block(const invariants::StretchDer
   return A;
 }
 
-// No smaller than the magnitude of any flip and scaling eigenvalue (Gershgorin).
+/// Returns a number no smaller than the magnitude of any flip and scaling eigenvalue (Gershgorin).
 template <int Dim, class T>
 ISOSTRETCH_INLINE T largest_magnitude(const invariants::StretchDerivatives<Dim, T>& d) {
   T bound(0.0), row[Dim];
@@ -47,8 +47,8 @@ ISOSTRETCH_INLINE T largest_magnitude(const invariants::StretchDerivatives<Dim, 
   return bound;
 }
 
-// Lanes whose every eigenvalue of A - threshold I is positive beyond doubt (pivots of its Cholesky
-// factorization): they need no eigen-decomposition. Doubtful lanes are sent there.
+/// Returns a mask of the lanes in which A - threshold I is positive definite beyond doubt (by the pivots of
+/// its Cholesky factorization), so that they need no eigen-decomposition.
 template <int Dim, class T>
 ISOSTRETCH_INLINE Mask<T> surely_positive(const linalg::Mat<Dim, T>& A, double threshold) {
   const T doubt(1e-13), shift(threshold);
@@ -66,8 +66,8 @@ ISOSTRETCH_INLINE Mask<T> surely_positive(const linalg::Mat<Dim, T>& A, double t
   return positive;
 }
 
-// Filters all eigenvalues in place and returns the mask of points at which any changed. What does not change
-// stays as it was bit for bit. `coupled`: whether A can have off-diagonal entries.
+/// Filters all eigenvalues in place and returns the mask of points at which any changed. What does not change
+/// stays as it was, bit for bit. `coupled` says whether A can have off-diagonal entries.
 template <Filter filter, int Dim, class T>
 ISOSTRETCH_INLINE Mask<T> apply_filter(invariants::StretchDerivatives<Dim, T>& d, double threshold,
                                        double strength, bool coupled) {
@@ -111,7 +111,8 @@ ISOSTRETCH_INLINE Mask<T> apply_filter(invariants::StretchDerivatives<Dim, T>& d
   return changed | moved;
 }
 
-// The run-time choice, outside the arithmetic.
+/// Filters all eigenvalues in place as the options say and returns the mask of points at which any changed:
+/// the choice at run time, outside the arithmetic.
 template <int Dim, class T>
 ISOSTRETCH_INLINE Mask<T> apply_filter(const FilterOptions& options,
                                        invariants::StretchDerivatives<Dim, T>& d, bool coupled) {

@@ -6,18 +6,22 @@
 
 namespace isostretch::mesh {
 
-// The outside of a solid as triangles, and where they come from.
+/// The boundary of a solid as triangles, and the nodes and elements that these belong to.
 struct BoundarySurface {
-  SurfaceMesh mesh;                  // triangles counter-clockwise seen from outside
-  std::vector<int> original_vertex;  // vertex of the surface -> node of the solid, ascending
-  std::vector<int> element;          // of every triangle, the element behind it
+  SurfaceMesh mesh;                  ///< Triangles counter-clockwise seen from outside.
+  std::vector<int> original_vertex;  ///< Node of the solid of every vertex of the surface, ascending.
+  std::vector<int> element;          ///< Element behind every triangle.
 };
 
-// Faces that belong to one element alone. A face of a hex becomes two triangles, one of a quadratic tet four,
-// through the nodes in the middle of its edges. Empty for a mesh without elements. Throws Error naming the
-// element when an index is out of range.
+/// Returns the faces of tetrahedra that belong to one element alone; none for a mesh without elements. Throws
+/// Error naming the element when an index is out of range.
 BoundarySurface boundary_surface(const TetMesh& mesh);
+/// Returns the faces of hexahedra that belong to one element alone, cut into two triangles each. Throws Error
+/// naming the element when an index is out of range.
 BoundarySurface boundary_surface(const HexMesh& mesh);
+/// Returns the faces of quadratic tetrahedra that belong to one element alone, cut into four triangles each,
+/// through the nodes in the middle of its edges. Throws Error naming the element when an index is out of
+/// range.
 BoundarySurface boundary_surface(const QuadraticTetMesh& mesh);
 
 }  // namespace isostretch::mesh

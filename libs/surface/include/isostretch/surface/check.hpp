@@ -9,79 +9,95 @@
 
 namespace isostretch::mesh {
 
-enum class Kind {
+/// The defects that check() looks for in a mesh.
+enum class DefectKind {
+  /// An index is out of range.
   index_out_of_range,
-  not_finite,                // a coordinate is NaN or infinite
-  degenerate,                // an element repeats a vertex
-  zero_size,                 // area (volume) zero to rounding: height below 1e-15 of the longest edge
-  inverted,                  // a tetrahedron with negative volume
-  duplicate_element,         // same vertices as an earlier element
-  non_manifold_edge,         // more than two triangles
-  non_manifold_face,         // more than two tets
-  non_manifold_vertex,       // its triangles form more than one fan
-  not_orientable,            // one-sided, like a Moebius strip: triangles cannot be oriented alike
-  inconsistent_orientation,  // two triangles run through their edge in the same direction, and could be
-                             // turned; two tets see their face from the same side
+  not_finite,           ///< A coordinate is NaN or infinite.
+  degenerate,           ///< An element repeats a vertex.
+  zero_size,            ///< An area (volume) is zero to rounding: height below 1e-15 of the longest edge.
+  inverted,             ///< A tetrahedron has negative volume.
+  duplicate_element,    ///< An element has the vertices of an earlier one.
+  non_manifold_edge,    ///< An edge has more than two triangles.
+  non_manifold_face,    ///< A face has more than two tetrahedra.
+  non_manifold_vertex,  ///< The triangles of a vertex form more than one fan.
+  not_orientable,  ///< A piece is one-sided, like a Moebius strip: its triangles cannot be oriented alike.
+  /// Two triangles run through their edge in the same direction, and one of them could be turned; or two
+  /// tetrahedra see their face from the same side.
+  inconsistent_orientation,
+  /// A vertex is in no element.
   unreferenced_vertex,
-  duplicate_vertex,  // exactly where an earlier one is; for information, as on every seam
+  duplicate_vertex,  ///< A vertex is exactly where an earlier one is; for information, as on every seam.
+  /// The mesh has several components.
   several_components
 };
-inline constexpr int kind_count = 14;
+/// The number of kinds of defects.
+inline constexpr int defect_kind_count = 14;
 
-std::string_view kind_name(Kind kind) noexcept;
+/// Returns the name of the enumerator, such as "zero_size".
+std::string_view defect_kind_name(DefectKind kind) noexcept;
 
-struct Finding {
-  Kind kind;
-  std::vector<int> elements;  // triangles or tets concerned
-  std::vector<int> vertices;
-  std::string text;  // a sentence naming them, without the final stop
+/// A defect of a mesh, with the elements and vertices concerned.
+struct Defect {
+  DefectKind kind;            ///< The kind of defect.
+  std::vector<int> elements;  ///< Triangles or tetrahedra concerned.
+  std::vector<int> vertices;  ///< Vertices concerned.
+  std::string text;           ///< A sentence that names them, without the final stop.
 };
 
-// Of triangles connected through shared vertices.
+/// The topology of a component: triangles that are connected through shared vertices.
 struct ComponentFacts {
-  int first_triangle = 0;  // the smallest
-  int triangles = 0;
-  int vertices = 0;
-  int boundary_loops = 0;
-  int euler_characteristic = 0;  // vertices - edges + triangles
-  double area = 0;
-  int genus = -1;            // -1: not defined
-  std::string why_no_genus;  // empty when it is defined
+  int first_triangle = 0;        ///< The smallest of its triangles.
+  int triangles = 0;             ///< Number of triangles.
+  int vertices = 0;              ///< Number of vertices.
+  int boundary_loops = 0;        ///< Number of boundary loops.
+  int euler_characteristic = 0;  ///< vertices - edges + triangles.
+  double area = 0;               ///< Sum of areas.
+  int genus = -1;                ///< Number of handles, -1 where it is not defined.
+  std::string why_no_genus;      ///< The reason where the genus is not defined, else empty.
 };
 
-struct Report {
-  std::vector<Finding> findings;             // at most max_per_kind of each kind, in order of Kind
-  std::array<long, kind_count> counts = {};  // of all, listed or not
-  bool indices_valid = true;                 // false: only indices were looked at, the numbers below are 0
+/// The defects and the topology of a mesh.
+struct MeshDiagnostics {
+  std::vector<Defect> defects;  ///< At most max_per_kind of each kind, in the order of the enumeration.
+  std::array<long, defect_kind_count> counts = {};  ///< Number of defects of each kind, listed or not.
+  /// Whether all indices are in range; if not, only indices were looked at, and the numbers below are 0.
+  bool indices_valid = true;
 
-  int components = 0;  // connected through shared vertices; unreferenced vertices do not count
-  // Triangle meshes only:
+  int components = 0;  ///< Components connected through shared vertices; unreferenced vertices do not count.
+  /// Boundary loops of a triangle mesh.
   int boundary_loops = 0;
-  int euler_characteristic = 0;  // referenced vertices - edges + triangles
-  int genus = -1;                // summed over components; -1: not defined (not manifold or not oriented)
-  std::vector<ComponentFacts> component_facts;  // in the order of component_of_triangles
+  int euler_characteristic = 0;  ///< Referenced vertices - edges + triangles, of a triangle mesh.
+  /// Sum over the components of a triangle mesh, -1 where it is not defined (not manifold or not oriented).
+  int genus = -1;
+  /// Components of a triangle mesh, in the order of component_of_triangles.
+  std::vector<ComponentFacts> component_facts;
 
-  // Nothing found but duplicate vertices, which are no fault.
+  /// Returns whether nothing was found but duplicate vertices, which are no fault.
   bool clean() const;
-  long count(Kind kind) const { return counts[static_cast<std::size_t>(kind)]; }
-  // First finding of that kind, or null.
-  const Finding* find(Kind kind) const;
+  /// Returns the number of defects of a kind, listed or not.
+  long count(DefectKind kind) const { return counts[static_cast<std::size_t>(kind)]; }
+  /// Returns the first defect of a kind that is listed, or null.
+  const Defect* find(DefectKind kind) const;
 };
 
-// The numbers, a line for each component, and findings by kind with the elements they name; ends with a
-// newline. Of many components the first are listed.
-std::string to_text(const Report& report);
+/// Returns the numbers, a line for each component, and the defects by kind with the elements that they name;
+/// ends with a newline. Of many components the first are listed.
+std::string to_text(const MeshDiagnostics& diagnostics);
 
-// Looks at everything, throws nothing.
-Report check(const SurfaceMesh& mesh, int max_per_kind = 20);
-// Kinds that name triangles or edges do not occur.
-Report check(const TetMesh& mesh, int max_per_kind = 20);
+/// Returns the defects and the topology of a triangle mesh, with at most max_per_kind defects listed of each
+/// kind. Throws nothing, whatever the mesh.
+MeshDiagnostics check(const SurfaceMesh& mesh, int max_per_kind = 20);
+/// Returns the defects of a tetrahedral mesh, with at most max_per_kind listed of each kind. Kinds that name
+/// triangles or edges do not occur. Throws nothing, whatever the mesh.
+MeshDiagnostics check(const TetMesh& mesh, int max_per_kind = 20);
 
-// Throws Error saying why the mesh is not a topological disk, naming the element at fault: no boundary,
-// several boundary loops, genus, several components, or any finding except zero_size and
-// duplicate_vertex (which are matters of geometry).
+/// Throws Error unless the mesh is a topological disk, saying why it is not and naming the element at fault:
+/// no boundary, several boundary loops, genus, several components, or any defect except zero_size and
+/// duplicate_vertex, which are matters of geometry.
 void require_disk(const SurfaceMesh& mesh);
-// The same from a report at hand.
-void require_disk(const Report& report);
+/// Throws Error unless the mesh that was checked is a topological disk, saying why it is not and naming the
+/// element at fault.
+void require_disk(const MeshDiagnostics& diagnostics);
 
 }  // namespace isostretch::mesh

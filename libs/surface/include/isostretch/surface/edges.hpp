@@ -7,11 +7,13 @@
 
 namespace isostretch::mesh {
 
-// Edges by their vertices, the smaller first, each once.
+/// The edges of triangles by their vertices, the smaller first, each once.
 struct Edges {
-  std::vector<std::array<int, 2>> inner, boundary;  // of several triangles, of one
+  /// Edges of several triangles.
+  std::vector<std::array<int, 2>> inner, boundary;  ///< Edges of one triangle.
 };
 
+/// Returns the edges of triangles.
 Edges edges_of(const Triangles& triangles);
 
 }  // namespace isostretch::mesh

@@ -14,20 +14,21 @@
 
 namespace isostretch::testing {
 
-// psi, its gradient and Hessian over vec(F).
+/// The value of an energy at one F, and its gradient and Hessian over vec(F).
 template <int Dim>
 struct EntryDerivatives {
-  double psi = 0;
-  Eigen::Matrix<double, Dim * Dim, 1> gradient;
-  Eigen::Matrix<double, Dim * Dim, Dim * Dim> hessian;
+  double psi = 0;                                       ///< Energy density.
+  Eigen::Matrix<double, Dim * Dim, 1> gradient;         ///< Dim^2 entries.
+  Eigen::Matrix<double, Dim * Dim, Dim * Dim> hessian;  ///< Dim^2 x Dim^2.
 };
 
+/// The scalar of automatic differentiation over the entries of F.
 template <int Dim>
 using EntryScalar = AutomaticScalar<long double, Dim * Dim>;
 
 namespace detail {
 
-// f[row + Dim * column], each its own variable.
+/// Returns f[row + Dim * column], each its own variable.
 template <int Dim>
 std::array<EntryScalar<Dim>, Dim * Dim> entry_variables(const Eigen::Matrix<double, Dim, Dim>& F) {
   std::array<EntryScalar<Dim>, Dim * Dim> f;
@@ -48,8 +49,8 @@ invariants::Invariants<2, T> invariants_of_entries(const std::array<T, 4>& f, do
           f[0] * f[3] - f[1] * f[2]};
 }
 
-// start: I1 in double. Newton steps in differentiated arithmetic: each doubles the digits of the value and
-// raises the order of the derivatives that are right.
+/// Returns the invariants by Newton steps in differentiated arithmetic from `start`, I1 in double: each step
+/// doubles the digits of the value and raises the order of the derivatives that are right.
 template <class T>
 invariants::Invariants<3, T> invariants_of_entries(const std::array<T, 9>& f, double start) {
   T I2(0.0), cofactor_norm(0.0), I3(0.0);
@@ -70,8 +71,9 @@ invariants::Invariants<3, T> invariants_of_entries(const std::array<T, 9>& f, do
 
 }  // namespace detail
 
-// energy.psi(Invariants<Dim, T>) must accept the scalar. F must have a unique rotation (sigma_j + sigma_k >
-// 0).
+/// Returns psi, gradient and Hessian over vec(F) by automatic differentiation in long double.
+/// energy.psi(Invariants<Dim, T>) must accept the scalar. F must have a unique rotation (sigma_j + sigma_k >
+/// 0).
 template <int Dim, class Energy>
 EntryDerivatives<Dim> automatic_derivatives(const Energy& energy, const Eigen::Matrix<double, Dim, Dim>& F) {
   const double start = invariants::invariants<Dim>(F).I1;

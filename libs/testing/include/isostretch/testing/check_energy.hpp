@@ -35,12 +35,14 @@
 
 namespace isostretch::testing {
 
+/// The choices of check_energy().
 struct EnergyCheckOptions {
-  int random_samples = 8;
-  unsigned seed = 1;
-  double psi_tolerance = 1e-9;         // relative to |psi| + |gradient| |F| + |A| |F|^2
-  double derivative_tolerance = 1e-9;  // closed form against automatic differentiation, relative to the norm
-  double difference_tolerance = 1e-6;  // against finite differences in double
+  int random_samples = 8;       ///< Random deformation gradients besides the degenerate ones.
+  unsigned seed = 1;            ///< Seed of the random samples.
+  double psi_tolerance = 1e-9;  ///< Tolerance of psi, relative to |psi| + |gradient| |F| + |A| |F|^2.
+  /// Tolerance of the closed form against automatic differentiation, relative to the norm.
+  double derivative_tolerance = 1e-9;
+  double difference_tolerance = 1e-6;  ///< Tolerance against finite differences in double.
 };
 
 namespace detail {
@@ -50,7 +52,7 @@ class EnergyChecker {
  public:
   using Matrix = Eigen::Matrix<double, Dim, Dim>;
   using Vector = Eigen::Matrix<double, Dim * Dim, 1>;
-  using Stretch = invariants::Stretch<Dim, double>;
+  using PrincipalStretches = invariants::PrincipalStretches<Dim, double>;
   using Derivatives = invariants::StretchDerivatives<Dim, double>;
 
   EnergyChecker(const Energy& energy, const EnergyCheckOptions& options, EnergyReport& report)
@@ -69,13 +71,13 @@ class EnergyChecker {
   static constexpr bool from_invariants = requires(const Energy& e, invariants::Invariants<Dim, double> I) {
     e.psi(I);
   };
-  static constexpr bool from_stretch = requires(const Energy& e, Stretch s) { e.psi(s); };
+  static constexpr bool from_stretch = requires(const Energy& e, PrincipalStretches s) { e.psi(s); };
 
   double psi(const Matrix& F) const {
     return energies::evaluate_psi(energy_, invariants::Modes<Dim>(F).stretch());
   }
 
-  Derivatives derivatives(const Stretch& s) const {
+  Derivatives derivatives(const PrincipalStretches& s) const {
     Derivatives d;
     energies::evaluate_derivatives(energy_, s, d);
     return d;
@@ -86,7 +88,8 @@ class EnergyChecker {
     return assemble_gradient<Dim>(modes, derivatives(modes.stretch()));
   }
 
-  // Inside the domain with some room, and where the energy is a number that can be compared.
+  /// Returns whether F is inside the domain with some room, and the energy there is a number that can be
+  /// compared.
   bool usable(const Matrix& F) const {
     const double bound = energies::determinant_bound(energy_), J = F.determinant();
     if (!(J > bound + (std::isfinite(bound) ? 1e-12 : 0.0))) return false;
@@ -125,7 +128,7 @@ class EnergyChecker {
 
   void check_psi(const invariants::Modes<Dim>& modes, const Derivatives& d) {
     const Matrix& F = sample_->F;
-    const Stretch s = modes.stretch();
+    const PrincipalStretches s = modes.stretch();
     double stiffness = 0;
     for (const double entry : d.diagonal) stiffness += std::abs(entry);
     const double scale = std::abs(d.psi) + assemble_gradient<Dim>(modes, d).norm() * F.norm() +
@@ -138,7 +141,7 @@ class EnergyChecker {
     compare("psi(F) is the psi of its derivatives", energies::evaluate_psi(energy_, s));
     compare("psi(Q F) = psi(F)", psi(Q * F));
     compare("psi(F Q) = psi(F)", psi(F * Q));
-    Stretch turned;
+    PrincipalStretches turned;
     for (int i = 0; i < Dim; ++i) turned.sigma[i] = s.sigma[(i + 1) % Dim];
     compare("psi does not depend on the order of sigma", energies::evaluate_psi(energy_, turned));
     if constexpr (from_invariants && from_stretch)
@@ -153,8 +156,8 @@ class EnergyChecker {
     }
   }
 
-  // The psi-only path and the long double differences lose digits on graded stretch; norms forgive most of
-  // it.
+  /// Returns the tolerance of the witness: the psi-only path and the long double differences lose digits on
+  /// graded stretch; norms forgive most of it.
   double witness_tolerance() const {
     const double room = from_invariants ? 1.0 : 1000.0;
     return options_.derivative_tolerance * room;
@@ -208,10 +211,11 @@ class EnergyChecker {
     facts_.negative_scaling |= linalg::symmetric_eigen<Dim>(A).lambda.minCoeff() < -1e-10 * A.norm();
   }
 
-  // A state without stress has no twist stiffness: rotating it costs nothing, to second order either.
+  /// Checks that a state without stress has no twist stiffness: rotating it costs nothing, to second order
+  /// either.
   void check_rest() {
     sample_ = &rest_;
-    Stretch s;
+    PrincipalStretches s;
     for (int i = 0; i < Dim; ++i) s.sigma[i] = 1.0;
     const Derivatives d = derivatives(s);
     facts_.psi_at_rest = d.psi;
@@ -226,7 +230,7 @@ class EnergyChecker {
     }
   }
 
-  // psi through the chunk kernel, which is where the barrier is built in.
+  /// Returns psi through the chunk kernel, which is where the barrier is built in.
   double guarded_psi(const Eigen::Matrix<double, Dim, 1>& sigma) const {
     constexpr int count = 8;
     std::array<double, Dim * count> in{};
@@ -263,8 +267,8 @@ class EnergyChecker {
     }
   }
 
-  // Values a factor of 1000 nearer to the bound each: a barrier keeps growing by at least as much (log J),
-  // anything finite grows a thousand times less.
+  /// Returns whether psi diverges, from values a factor of 1000 nearer to the bound each: a barrier keeps
+  /// growing by at least as much (log J), a finite function grows a thousand times less.
   static bool diverges(double far, double near, double nearest) {
     return nearest == infinity || (near > far && nearest - near > 0.5 * (near - far));
   }
@@ -300,6 +304,12 @@ class EnergyChecker {
 
 }  // namespace detail
 
+/// Checks everything that an energy promises, in each dimension that it supports, over the samples of
+/// deformation_samples() that lie in its domain: psi does not change under rotations, psi(sigma) does not
+/// depend on the order of sigma and equals psi(I1, I2, I3); gradient and Hessian agree with automatic
+/// differentiation in the entries of F and with finite differences; the analytic eigenpairs and projections
+/// agree with numerical ones; a barrier is infinite outside its domain; everything is finite at degenerate
+/// stretch. Returns the checks with their worst cases.
 template <class Energy>
 EnergyReport check_energy(const Energy& energy, const EnergyCheckOptions& options = {}) {
   if constexpr (energies::FunctionEnergy<Energy>) {

@@ -12,14 +12,16 @@
 
 namespace isostretch::testing {
 
+/// A deformation gradient to try an energy on.
 template <int Dim>
 struct DeformationSample {
-  std::string category;
-  Eigen::Matrix<double, Dim, Dim> F;
-  bool moderate;  // finite differences in double mean something here
-  bool smooth;    // all sigma_j + sigma_k > 0: the rotation is unique
+  std::string category;               ///< The kind of deformation, such as "rest".
+  Eigen::Matrix<double, Dim, Dim> F;  ///< The deformation gradient.
+  bool moderate;                      ///< Whether finite differences in double mean something here.
+  bool smooth;                        ///< Whether all sigma_j + sigma_k > 0: the rotation is unique.
 };
 
+/// Returns a random rotation.
 template <int Dim>
 Eigen::Matrix<double, Dim, Dim> random_rotation(std::mt19937& generator) {
   std::normal_distribution<double> normal;
@@ -30,7 +32,7 @@ Eigen::Matrix<double, Dim, Dim> random_rotation(std::mt19937& generator) {
   return Q;
 }
 
-// U diag(sigma) V^T with random rotations.
+/// Returns U diag(sigma) V^T with random rotations.
 template <int Dim>
 Eigen::Matrix<double, Dim, Dim> with_stretch(const Eigen::Matrix<double, Dim, 1>& sigma,
                                              std::mt19937& generator) {
@@ -56,6 +58,8 @@ Eigen::Matrix<double, Dim, 1> random_stretch(double low, double high, std::mt199
 
 }  // namespace detail
 
+/// Returns deformation gradients to try an energy on: random_count generic ones and every degenerate kind
+/// that formulas fail on.
 template <int Dim>
 std::vector<DeformationSample<Dim>> deformation_samples(int random_count = 8, unsigned seed = 1) {
   std::mt19937 generator(seed);

@@ -24,35 +24,42 @@
 
 namespace isostretch::testing {
 
+/// The choices of check_derivatives().
 struct DifferenceOptions {
-  int directions = 3;
-  double largest_step = 1e-2;
-  double smallest_step = 1e-9;
-  double tolerance = 1e-7;
-  double minimum_slope = 1.7;
-  unsigned seed = 1;
+  int directions = 3;           ///< Random directions.
+  double largest_step = 1e-2;   ///< First step of the sweep, relative to |x|.
+  double smallest_step = 1e-9;  ///< Last step of the sweep, relative to |x|.
+  double tolerance = 1e-7;      ///< Largest relative error that passes.
+  double minimum_slope = 1.7;   ///< Least slope of the error where truncation shows; 2 in exact arithmetic.
+  unsigned seed = 1;            ///< Seed of the directions.
 };
 
-// What one sweep over the steps found.
+/// The findings of one sweep over the steps.
 struct Sweep {
-  double best_error = std::numeric_limits<double>::infinity();
-  double best_step = 0;
-  // d log(error) / d log(step) over the steps that truncation dominates; NaN where none does (the
-  // difference is exact to rounding, as for a quadratic).
+  double best_error = std::numeric_limits<double>::infinity();  ///< Smallest relative error.
+  double best_step = 0;  ///< Step of the smallest error, relative to |x|.
+  /// d log(error) / d log(step) over the steps that truncation dominates; NaN where none does (the difference
+  /// is exact to rounding, as for a quadratic).
   double slope = std::numeric_limits<double>::quiet_NaN();
 
+  /// Returns whether the error is small and falls like the square of the step where truncation shows.
   bool ok(const DifferenceOptions& options) const {
     return best_error <= options.tolerance && !(slope < options.minimum_slope);
   }
 };
 
+/// The findings of check_derivatives().
 struct DerivativeReport {
-  Sweep gradient, hessian;  // the worst over all directions
-  Eigen::VectorXd x;        // where
-  DifferenceOptions options;
+  /// The worst sweep of the gradient over all directions.
+  Sweep gradient,
+      hessian;  ///< The worst sweep of the Hessian over all directions.    ///< the worst over all directions
+  Eigen::VectorXd x;          ///< The point of the check.
+  DifferenceOptions options;  ///< The choices of the check.
 
+  /// Returns whether gradient and Hessian pass.
   bool ok() const { return gradient.ok(options) && hessian.ok(options); }
 
+  /// Returns the errors, steps and slopes as text.
   std::string text() const {
     std::ostringstream out;
     const auto line = [&](const char* what, const Sweep& s) {
@@ -68,8 +75,8 @@ struct DerivativeReport {
 
 namespace detail {
 
-// error(h) for h = largest, largest/10, ...; infinite or NaN errors (a step that leaves the domain) are
-// skipped.
+/// Returns the sweep of error(h) for h = largest, largest/10, ...; infinite or NaN errors (a step that leaves
+/// the domain) are skipped.
 template <class Error>
 Sweep sweep_steps(Error error, const DifferenceOptions& options) {
   Sweep sweep;
@@ -103,6 +110,11 @@ inline Eigen::VectorXd random_direction(Eigen::Index size, std::mt19937& generat
 
 }  // namespace detail
 
+/// Compares a gradient and a Hessian with central differences at a sequence of steps: psi(x) returns a
+/// double, gradient(x) a VectorXd and hessian_times(x, d) a VectorXd; x is one vec'ed F, or all positions of
+/// a mesh. Passing needs both a small best error and, where truncation shows, an error that falls like the
+/// square of the step: a formula that is wrong in a small term has the first without the second, or neither.
+/// Errors are relative to |g| + |psi| / |x| + |H d| |x| and |H d| + |g| / |x|.
 template <class Psi, class Gradient, class HessianTimes>
 DerivativeReport check_derivatives(const Psi& psi, const Gradient& gradient,
                                    const HessianTimes& hessian_times, const Eigen::VectorXd& x,

@@ -18,7 +18,7 @@ template <int Dim, class Energy>
 long double wide_psi(const Energy& energy, const WideMatrix<Dim>& F) {
   using Value = AutomaticScalar<long double, 0>;
   const Eigen::JacobiSVD<WideMatrix<Dim>> svd(F);
-  invariants::Stretch<Dim, Value> s;
+  invariants::PrincipalStretches<Dim, Value> s;
   for (int i = 0; i < Dim; ++i) s.sigma[i] = Value(static_cast<long double>(svd.singularValues()[i]));
   if (F.determinant() < 0) s.sigma[Dim - 1] = -s.sigma[Dim - 1];
   return energy.psi(s).value;
@@ -28,7 +28,7 @@ inline constexpr int stencil_size = 4;
 inline constexpr int stencil_offset[stencil_size] = {-2, -1, 1, 2};
 inline constexpr long double stencil_weight[stencil_size] = {1.0L / 12, -8.0L / 12, 8.0L / 12, -1.0L / 12};
 
-// d of values(t) at 0, values at multiples of the step h.
+/// Returns d values(t) / dt at 0, from values at multiples of the step h.
 template <class Values>
 long double stencil(Values values, long double h) {
   long double sum = 0;
@@ -38,6 +38,9 @@ long double stencil(Values values, long double h) {
 
 }  // namespace detail
 
+/// Returns psi, gradient and Hessian over vec(F) by fourth-order central differences of psi over the entries
+/// of F, in long double (about 1e-9 relative, 1e-11 in the gradient), for energies that exist only as
+/// psi(sigma).
 template <int Dim, class Energy>
 EntryDerivatives<Dim> difference_derivatives(const Energy& energy, const Eigen::Matrix<double, Dim, Dim>& F) {
   using detail::stencil;

@@ -15,13 +15,15 @@
 
 namespace isostretch::testing {
 
+/// An eigenvalue of the energy Hessian with its eigenvector.
 template <int Dim>
 struct Eigenpair {
-  double value;
-  Eigen::Matrix<double, Dim * Dim, 1> vector;
+  double value;                                ///< The eigenvalue.
+  Eigen::Matrix<double, Dim * Dim, 1> vector;  ///< The eigenvector, a vec'ed matrix of norm 1.
 };
 
-// twist_i on the modes of F, flip_i likewise, and the Dim eigenpairs of the scaling block A.
+/// Returns the analytic eigenpairs of the energy Hessian: twist_i and flip_i on the modes of F, and the Dim
+/// eigenpairs of the scaling block A.
 template <int Dim>
 std::vector<Eigenpair<Dim>> analytic_eigenpairs(const invariants::Modes<Dim>& modes,
                                                 const invariants::StretchDerivatives<Dim, double>& d) {
@@ -43,7 +45,7 @@ std::vector<Eigenpair<Dim>> analytic_eigenpairs(const invariants::Modes<Dim>& mo
   return pairs;
 }
 
-// sum of filter(value) vector vector^T.
+/// Returns the sum of filter(value) vector vector^T.
 template <int Dim, class Filter>
 Eigen::Matrix<double, Dim * Dim, Dim * Dim> assemble(const std::vector<Eigenpair<Dim>>& pairs,
                                                      Filter filter) {
@@ -53,7 +55,7 @@ Eigen::Matrix<double, Dim * Dim, Dim * Dim> assemble(const std::vector<Eigenpair
   return H;
 }
 
-// d psi / d vec(F) from the derivatives along the stretch.
+/// Returns d psi / d vec(F) from the derivatives along the stretch.
 template <int Dim>
 Eigen::Matrix<double, Dim * Dim, 1> assemble_gradient(const invariants::Modes<Dim>& modes,
                                                       const invariants::StretchDerivatives<Dim, double>& d) {
@@ -62,17 +64,23 @@ Eigen::Matrix<double, Dim * Dim, 1> assemble_gradient(const invariants::Modes<Di
   return g;
 }
 
+/// A filter that keeps eigenvalues.
 struct KeepEigenvalue {
+  /// Returns the eigenvalue.
   double operator()(double value) const { return value; }
 };
+/// A filter that clamps eigenvalues at 0.
 struct ClampEigenvalue {
+  /// Returns max(value, 0).
   double operator()(double value) const { return std::max(value, 0.0); }
 };
+/// A filter that takes absolute values of eigenvalues.
 struct AbsoluteEigenvalue {
+  /// Returns |value|.
   double operator()(double value) const { return std::abs(value); }
 };
 
-// The filter on a numerical eigen-decomposition of H.
+/// Returns the filter applied to a numerical eigen-decomposition of H.
 template <class Matrix, class Filter>
 Matrix filtered_numerically(const Matrix& H, Filter filter) {
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(H);
@@ -80,17 +88,20 @@ Matrix filtered_numerically(const Matrix& H, Filter filter) {
          eigen.eigenvectors().transpose();
 }
 
-// How well analytic eigenpairs explain a Hessian that somebody else computed. All relative to |H|.
+/// The differences between analytic eigenpairs and a Hessian that was computed otherwise, all relative to
+/// |H|.
 struct EigensystemErrors {
-  double hessian = 0;      // |assembled - H|
-  double residual = 0;     // max |H v - lambda v|
-  double eigenvalues = 0;  // max difference of the sorted eigenvalues
-  double clamp = 0;        // of the projections max(lambda, 0)
-  double absolute = 0;     // and |lambda|
+  double hessian = 0;      ///< |assembled - H|.
+  double residual = 0;     ///< max |H v - lambda v|.
+  double eigenvalues = 0;  ///< Largest difference of the sorted eigenvalues.
+  double clamp = 0;        ///< Difference of the projections max(lambda, 0).
+  double absolute = 0;     ///< Difference of the projections |lambda|.
 
+  /// Returns the largest of the differences.
   double worst() const { return std::max({hessian, residual, eigenvalues, clamp, absolute}); }
 };
 
+/// Returns the differences between analytic eigenpairs and a Hessian, in every respect.
 template <int Dim>
 EigensystemErrors compare_eigensystem(const std::vector<Eigenpair<Dim>>& pairs,
                                       const Eigen::Matrix<double, Dim * Dim, Dim * Dim>& H) {

@@ -9,38 +9,42 @@
 
 namespace isostretch::testing {
 
-// One property of an energy in one dimension, with the worst case over all deformation samples.
+/// A property of an energy in one dimension, with the worst case over all deformation samples.
 struct EnergyCheck {
-  int dim;
-  std::string what;
-  double tolerance;
-  double worst = 0;
-  std::string where;  // category and F of the worst case
-  int samples = 0;
+  int dim;            ///< Dimension, 2 or 3.
+  std::string what;   ///< The property.
+  double tolerance;   ///< Largest error that passes.
+  double worst = 0;   ///< Largest error that was found.
+  std::string where;  ///< Category and F of the worst case.
+  int samples = 0;    ///< Samples that were checked.
 
-  // Not (worst > tolerance): NaN is a failure.
+  /// Returns whether the worst error is within the tolerance; NaN is a failure.
   bool ok() const { return worst <= tolerance; }
 };
 
-// Facts rather than verdicts: an energy may well have stress at rest, or be convex.
+/// Facts about an energy rather than verdicts: it may well have stress at rest, or be convex.
 struct EnergyFacts {
-  int dim;
-  double psi_at_rest = 0;
-  double stress_at_rest = 0;  // |d psi / d sigma| at sigma = 1
-  // Which modes were seen negative among the samples with det F > 0.
-  bool negative_twist = false, negative_flip = false, negative_scaling = false;
+  int dim;                        ///< Dimension, 2 or 3.
+  double psi_at_rest = 0;         ///< Energy density at rest.
+  double stress_at_rest = 0;      ///< |d psi / d sigma| at sigma = 1.
+  bool negative_twist = false;    ///< Whether a twist was negative at a sample with det F > 0.
+  bool negative_flip = false;     ///< Whether a flip was negative at a sample with det F > 0.
+  bool negative_scaling = false;  ///< Whether a scaling eigenvalue was negative at a sample with det F > 0.
 };
 
+/// The findings of check_energy().
 struct EnergyReport {
-  std::string name;
-  std::vector<EnergyCheck> checks;
-  std::vector<EnergyFacts> facts;
+  std::string name;                 ///< Name of the energy.
+  std::vector<EnergyCheck> checks;  ///< The checks, with their worst cases.
+  std::vector<EnergyFacts> facts;   ///< Facts by dimension.
 
+  /// Returns whether all checks pass and there are some.
   bool ok() const {
     return !checks.empty() &&
            std::all_of(checks.begin(), checks.end(), [](const EnergyCheck& c) { return c.ok(); });
   }
 
+  /// Returns checks and facts as text.
   std::string text() const {
     std::ostringstream out;
     out << "energy " << name << (ok() ? ": all checks passed\n" : ": FAILED\n");

@@ -4,9 +4,9 @@
 
 namespace isostretch::energies {
 
-// As rigid as possible: psi = |F - R|^2 = sum (sigma - 1)^2 (Smith et al. 2019, section 5.1, where the
-// constant must be
-// + dim, not + dim^2). Finite under inversion. Only twists can be negative, where sigma_j + sigma_k < 2.
+/// The as-rigid-as-possible energy: psi = |F - R|^2 = sum (sigma - 1)^2 (Smith, de Goes, Kim 2019, section
+/// 5.1, where the constant must be plus dim, not plus dim^2). Finite under inversion. Only twists can be
+/// negative, where sigma_j + sigma_k < 2.
 struct Arap {
   static constexpr const char* name = "arap";
   static constexpr bool decoupled = true;
@@ -28,14 +28,15 @@ struct Arap {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum = square(s[0] - 1.0);
     for (int i = 1; i < Dim; ++i) sum = sum + square(s[i] - 1.0);
     return sum;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     d.psi = psi(s);
     for (int i = 0; i < Dim; ++i) d.gradient[i] = 2.0 * (s[i] - 1.0), d.diagonal[i] = T(2.0);
     for (int i = 0; i < s.pairs; ++i) {

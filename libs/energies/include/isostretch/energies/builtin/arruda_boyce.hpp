@@ -4,16 +4,15 @@
 
 namespace isostretch::energies {
 
-// Eight-chain model of Arruda & Boyce 1993 (five terms) in y = |F|^2 J^(-2/dim): psi = mu sum_k c_k (y^k -
-// dim^k) / N^(k-1)
-// + K/2 (J - 1)^2. Infinite at det F <= 0.
+/// The eight-chain model of Arruda and Boyce 1993, with five terms in y = |F|^2 J^(-2/dim): psi = mu sum_k
+/// c_k (y^k - dim^k) / N^(k-1) + K/2 (J - 1)^2. Infinite at det F <= 0.
 struct ArrudaBoyce {
   static constexpr const char* name = "arruda_boyce";
   static constexpr double minimum_determinant = 0.0;
 
-  double mu = 1.0;
-  double N = 10.0;
-  double K = 1.0;
+  double mu = 1.0;  ///< Shear modulus, in the units of psi.
+  double N = 10.0;  ///< Chain segments.
+  double K = 1.0;   ///< Volume stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -37,12 +36,13 @@ struct ArrudaBoyce {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return mu * series_excess<Dim>(isochoric_excess(s)) + 0.5 * K * square(s.J_minus_one());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T y = s.I2() * isochoric_factor(s);
     const T h1 =
         mu * (c1 + y * (2.0 * c2 / N + y * (3.0 * c3 / (N * N) + y * (4.0 * c4 / (N * N * N) +
@@ -63,7 +63,8 @@ struct ArrudaBoyce {
     return y * (c1 + y * (c2 / N + y * (c3 / (N * N) + y * (c4 / (N * N * N) + y * (c5 / (N * N * N * N))))));
   }
 
-  // series(dim + excess) - series(dim), with y^k - dim^k = excess S_k, S_1 = 1, S_(k+1) = y S_k + dim^k.
+  /// Returns series(dim + excess) - series(dim), with y^k - dim^k = excess S_k, S_1 = 1, S_(k+1) = y S_k +
+  /// dim^k.
   template <int Dim, class T>
   ISOSTRETCH_INLINE T series_excess(T excess) const {
     const double coefficients[] = {c2 / N, c3 / (N * N), c4 / (N * N * N), c5 / (N * N * N * N)};

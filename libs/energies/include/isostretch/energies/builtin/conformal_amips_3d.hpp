@@ -4,8 +4,8 @@
 
 namespace isostretch::energies {
 
-// Conformal AMIPS (Fu, Liu, Guo 2015, in its scale-invariant form): psi = |F|^2 / (3 det F^(2/3)), minimum 1
-// at every similarity. Infinite at det F <= 0.
+/// The conformal AMIPS energy (Fu, Liu, Guo 2015, in its scale-invariant form): psi = |F|^2 / (3 det
+/// F^(2/3)), minimum 1 at every similarity. Infinite at det F <= 0. Exists in 3D.
 struct ConformalAmips3d {
   static constexpr const char* name = "conformal_amips_3d";
   static constexpr double minimum_determinant = 0.0;
@@ -32,12 +32,13 @@ struct ConformalAmips3d {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return s.I2() / (3.0 * square(cbrt(s.J())));
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T I2 = s.I2(), c = cbrt(1.0 / s.J()), w = c * c / 3.0;
     d.psi = w * I2;
     for (int i = 0; i < 3; ++i) {

@@ -4,14 +4,14 @@
 
 namespace isostretch::energies {
 
-// Co-rotational linear elasticity: psi = mu |F - R|^2 + kappa/2 tr(S - I)^2 (Smith et al. 2019, appendix F.1,
-// whose twist eigenvalue lacks parentheses). Finite under inversion. Lame parameters of small strain: (mu,
-// kappa).
+/// Co-rotational linear elasticity: psi = mu |F - R|^2 + kappa/2 tr(S - I)^2 (Smith, de Goes, Kim 2019,
+/// appendix F.1, whose twist eigenvalue lacks parentheses). Finite under inversion. The Lame parameters of
+/// small strain are (mu, kappa).
 struct Corotational {
   static constexpr const char* name = "corotational";
 
-  double mu = 1.0;
-  double kappa = 1.0;
+  double mu = 1.0;     ///< Shear modulus, in the units of psi.
+  double kappa = 1.0;  ///< Resistance to a change of tr S, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -40,14 +40,15 @@ struct Corotational {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum = square(s[0] - 1.0);
     for (int i = 1; i < Dim; ++i) sum = sum + square(s[i] - 1.0);
     return mu * sum + 0.5 * kappa * square(s.I1_minus_dim());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T trace = s.I1_minus_dim();
     d.psi = psi(s);
     for (int i = 0; i < Dim; ++i) {

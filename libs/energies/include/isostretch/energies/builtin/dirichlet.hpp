@@ -4,7 +4,7 @@
 
 namespace isostretch::energies {
 
-// psi = 1/2 |F|^2. Convex; the rest state is the point.
+/// The Dirichlet energy: psi = 1/2 |F|^2. Convex; the state of least energy is a point.
 struct Dirichlet {
   static constexpr const char* name = "dirichlet";
   static constexpr bool decoupled = true;
@@ -25,12 +25,13 @@ struct Dirichlet {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return 0.5 * s.I2();
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     d.psi = psi(s);
     for (int i = 0; i < Dim; ++i) d.gradient[i] = s[i], d.diagonal[i] = T(1.0);
     for (int i = 0; i < s.pairs; ++i) d.twist[i] = d.flip[i] = T(1.0);

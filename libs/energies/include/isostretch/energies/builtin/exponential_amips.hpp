@@ -6,15 +6,15 @@
 
 namespace isostretch::energies {
 
-// Exponential AMIPS (Fu, Liu, Guo 2015): psi = exp(sharpness X), X = alpha conformal + (1 - alpha) (J +
-// 1/J)/2, where the conformal term is |F|^2 / (2 J) in 2D and mips_3d in 3D. Infinite at det F <= 0 and where
-// the exponential overflows; derivatives take the exponent as at most 700.
+/// The exponential AMIPS energy (Fu, Liu, Guo 2015): psi = exp(sharpness X), X = alpha conformal + (1 -
+/// alpha) (J + 1/J)/2, where the conformal term is |F|^2 / (2 J) in 2D and mips_3d in 3D. Infinite at det F
+/// <= 0 and where the exponential overflows; derivatives take the exponent as at most 700.
 struct ExponentialAmips {
   static constexpr const char* name = "exponential_amips";
   static constexpr double minimum_determinant = 0.0;
 
-  double sharpness = 5.0;
-  double alpha = 0.5;
+  double sharpness = 5.0;  ///< Factor in the exponent.
+  double alpha = 0.5;      ///< Share of the conformal term, 0 to 1.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -40,14 +40,15 @@ struct ExponentialAmips {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     StretchDerivatives<Dim, T> d;
     exponent(s, d);
     return exp(sharpness * d.psi);
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     exponent(s, d);
     // Composition h(X) with h = exp(sharpness X): A gains h'' times the outer product of the gradient of X.
     const T value = exp(sharpness * d.psi);
@@ -66,9 +67,10 @@ struct ExponentialAmips {
   }
 
  private:
-  // X and its derivatives.
+  /// Computes X and its derivatives.
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void exponent(const Stretch<Dim, T>& stretch, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void exponent(const PrincipalStretches<Dim, T>& stretch,
+                                  StretchDerivatives<Dim, T>& d) const {
     if constexpr (Dim == 2) {
       Mips2d{}.derivatives(stretch, d);
       scale_derivatives(0.5 * alpha, d);

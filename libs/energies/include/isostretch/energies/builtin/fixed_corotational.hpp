@@ -4,13 +4,14 @@
 
 namespace isostretch::energies {
 
-// Fixed co-rotational elasticity (Stomakhin et al. 2012): psi = mu sum (sigma - 1)^2 + lambda/2 (J - 1)^2.
-// Finite under inversion. Lame parameters: (mu, lambda). mu = 1 is ARAP with a quadratic volume term.
+/// Fixed co-rotational elasticity (Stomakhin et al. 2012): psi = mu sum (sigma - 1)^2 + lambda/2 (J - 1)^2.
+/// Finite under inversion. The Lame parameters of small strain are (mu, lambda). mu = 1 is ARAP with a
+/// quadratic volume term.
 struct FixedCorotational {
   static constexpr const char* name = "fixed_corotational";
 
-  double mu = 1.0;
-  double lambda = 1.0;
+  double mu = 1.0;      ///< Shear modulus, in the units of psi.
+  double lambda = 1.0;  ///< First Lame parameter, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -40,14 +41,15 @@ struct FixedCorotational {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum = square(s[0] - 1.0);
     for (int i = 1; i < Dim; ++i) sum = sum + square(s[i] - 1.0);
     return mu * sum + 0.5 * lambda * square(s.J_minus_one());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T j = s.J_minus_one(), pressure = lambda * j;
     d.psi = psi(s);
     for (int i = 0; i < Dim; ++i) {

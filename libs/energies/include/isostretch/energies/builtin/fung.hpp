@@ -4,16 +4,15 @@
 
 namespace isostretch::energies {
 
-// Exponential soft-tissue model (Fung, Demiray) in y = |F|^2 J^(-2/dim): psi = mu/(2 b) (exp(b (y - dim)) -
-// 1)
-// + K/2 (J - 1)^2. Infinite at det F <= 0 and where the exponential overflows.
+/// The exponential soft-tissue model of Fung and Demiray in y = |F|^2 J^(-2/dim): psi = mu/(2 b) (exp(b (y -
+/// dim)) - 1) + K/2 (J - 1)^2. Infinite at det F <= 0 and where the exponential overflows.
 struct Fung {
   static constexpr const char* name = "fung";
   static constexpr double minimum_determinant = 0.0;
 
-  double mu = 1.0;
-  double b = 1.0;
-  double K = 1.0;
+  double mu = 1.0;  ///< Shear modulus, in the units of psi.
+  double b = 1.0;   ///< Stiffening, the factor in the exponent.
+  double K = 1.0;   ///< Volume stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -38,12 +37,13 @@ struct Fung {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return 0.5 * mu / b * expm1(b * isochoric_excess(s)) + 0.5 * K * square(s.J_minus_one());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T h1 = 0.5 * mu * exp(min(b * isochoric_excess(s), T(700.0)));
     isochoric_derivatives(s, h1, b * h1, K, d);
     d.psi = psi(s);

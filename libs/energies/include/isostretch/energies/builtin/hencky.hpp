@@ -4,14 +4,15 @@
 
 namespace isostretch::energies {
 
-// psi = mu sum log(sigma)^2 + lambda/2 log(J)^2. Has no algebraic form in the invariants, so it is given in
-// sigma. Infinite at det F <= 0. Lame parameters: (mu, lambda).
+/// The Hencky energy: psi = mu sum log(sigma)^2 + lambda/2 log(J)^2. It has no algebraic form in the
+/// invariants, so it is given in sigma. Infinite at det F <= 0. The Lame parameters of small strain are (mu,
+/// lambda).
 struct Hencky {
   static constexpr const char* name = "hencky";
   static constexpr double minimum_determinant = 0.0;
 
-  double mu = 1.0;
-  double lambda = 1.0;
+  double mu = 1.0;      ///< Shear modulus, in the units of psi.
+  double lambda = 1.0;  ///< First Lame parameter, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -26,7 +27,7 @@ struct Hencky {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum(0.0), L(0.0);
     for (int i = 0; i < Dim; ++i) {
       const T l = log(s[i]);
@@ -37,7 +38,8 @@ struct Hencky {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     T l[Dim], r[Dim];
     T sum(0.0), L(0.0);
     for (int i = 0; i < Dim; ++i) {

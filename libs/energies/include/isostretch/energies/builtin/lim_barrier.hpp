@@ -4,16 +4,16 @@
 
 namespace isostretch::energies {
 
-// Locally injective mappings (Schueller et al. 2013): psi = mu/2 |F|^2 + weight w(J) with the C2 spline
-// barrier w = 1/g - 1, g = xi^3 - 3 xi^2 + 3 xi, xi = (J - epsilon)/width on 0 < xi < 1; zero beyond.
-// Infinite at det F <= epsilon.
+/// The energy of locally injective mappings (Schueller et al. 2013): psi = mu/2 |F|^2 + weight w(J) with the
+/// C2 spline barrier w = 1/g - 1, g = xi^3 - 3 xi^2 + 3 xi, xi = (J - epsilon)/width on 0 < xi < 1, and w = 0
+/// beyond. Infinite at det F <= epsilon.
 struct LimBarrier {
   static constexpr const char* name = "lim_barrier";
 
-  double mu = 1.0;
-  double weight = 1.0;
-  double epsilon = 1e-5;
-  double width = 1.0;
+  double mu = 1.0;        ///< Weight of the Dirichlet energy.
+  double weight = 1.0;    ///< Weight of the barrier, in the units of psi.
+  double epsilon = 1e-5;  ///< Determinant at which the barrier is infinite.
+  double width = 1.0;     ///< Range of determinants over which the barrier acts.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -39,14 +39,15 @@ struct LimBarrier {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     const T xi = min((s.J() - epsilon) / width, T(1.0));
     const T g = xi * (square(xi) - 3.0 * xi + 3.0);
     return 0.5 * mu * s.I2() + weight * (1.0 / g - 1.0);
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T xi = min((s.J() - epsilon) / width, T(1.0));
     const T g = xi * (square(xi) - 3.0 * xi + 3.0), r = 1.0 / g, slack = xi - 1.0;
     const T g1 = 3.0 * slack * slack / width, g2 = 6.0 * slack / (width * width);
@@ -57,6 +58,7 @@ struct LimBarrier {
     add_volumetric(s, -weight * g1 * r * r, weight * (2.0 * square(g1 * r) - g2 * r) * r, d);
   }
 
+  /// Returns epsilon, which det F must stay above.
   double determinant_bound() const { return epsilon; }
 };
 

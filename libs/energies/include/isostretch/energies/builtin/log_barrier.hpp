@@ -4,13 +4,13 @@
 
 namespace isostretch::energies {
 
-// psi = -weight log J, a term to add to others. Infinite at det F <= 0.
+/// A logarithmic barrier to add to other energies: psi = -weight log J. Infinite at det F <= 0.
 struct LogBarrier {
   static constexpr const char* name = "log_barrier";
   static constexpr double minimum_determinant = 0.0;
   static constexpr bool decoupled = true;
 
-  double weight = 1.0;
+  double weight = 1.0;  ///< Stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -38,12 +38,13 @@ struct LogBarrier {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return -weight * log_determinant(s);
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     T r[Dim];
     for (int i = 0; i < Dim; ++i) {
       r[i] = 1.0 / s[i];

@@ -4,9 +4,10 @@
 
 namespace isostretch::energies {
 
-// Most isometric parameterizations (Hormann & Greiner 2000): psi = |F|^2 / det F = a/b + b/a, minimum 2 at
-// every similarity. Smith et al. 2019, Eq. 37, prints the scaling eigenpairs with two errors. Infinite at det
-// F <= 0. The twist is never positive, and neither is one scaling eigenvalue: the energy is scale-invariant.
+/// The energy of most isometric parameterizations (Hormann and Greiner 2000): psi = |F|^2 / det F = a/b +
+/// b/a, minimum 2 at every similarity. Smith, de Goes, Kim 2019, Eq. 37, prints the scaling eigenpairs with
+/// two errors. Infinite at det F <= 0. Exists in 2D. The twist is never positive, and neither is one scaling
+/// eigenvalue, since the energy is scale-invariant.
 struct Mips2d {
   static constexpr const char* name = "mips_2d";
   static constexpr double minimum_determinant = 0.0;
@@ -32,12 +33,13 @@ struct Mips2d {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return s[0] / s[1] + s[1] / s[0];
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T x = s[0], y = s[1], p = 1.0 / x, q = 1.0 / y;
     const T gap = (x - y) * p * q, sum = (x + y) * p * q;
     d.psi = x * q + y * p;

@@ -4,8 +4,8 @@
 
 namespace isostretch::energies {
 
-// MIPS in 3D, the conformal term of AMIPS (Fu, Liu, Guo 2015): psi = (|F|^2 |F^-1|^2 - 1) / 8
-// = prod (a/b + b/a) / 8, minimum 1 at every similarity. Infinite at det F <= 0.
+/// The MIPS energy in 3D, the conformal term of AMIPS (Fu, Liu, Guo 2015): psi = (|F|^2 |F^-1|^2 - 1) / 8 =
+/// prod (a/b + b/a) / 8, minimum 1 at every similarity. Infinite at det F <= 0. Exists in 3D.
 struct Mips3d {
   static constexpr const char* name = "mips_3d";
   static constexpr double minimum_determinant = 0.0;
@@ -40,14 +40,15 @@ struct Mips3d {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T N(0.0);
     for (int i = 0; i < 3; ++i) N = N + square(1.0 / s[i]);
     return (s.I2() * N - 1.0) / 8.0;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     T r[3];
     T N(0.0);
     for (int i = 0; i < 3; ++i) r[i] = 1.0 / s[i], N = N + r[i] * r[i];

@@ -4,16 +4,16 @@
 
 namespace isostretch::energies {
 
-// Mooney-Rivlin: psi = c10 (J^(-2/3) |F|^2 - 3) + c01 (J^(-4/3) |cof F|^2 - 3) + K/2 (J - 1)^2. Infinite at
-// det F <= 0.
+/// The Mooney-Rivlin energy: psi = c10 (J^(-2/3) |F|^2 - 3) + c01 (J^(-4/3) |cof F|^2 - 3) + K/2 (J - 1)^2.
+/// Infinite at det F <= 0. Exists in 3D.
 struct MooneyRivlin3d {
   static constexpr const char* name = "mooney_rivlin_3d";
   static constexpr double minimum_determinant = 0.0;
   static constexpr bool supports(int dim) { return dim == 3; }
 
-  double c10 = 0.5;
-  double c01 = 0.1;
-  double K = 1.0;
+  double c10 = 0.5;  ///< First Mooney-Rivlin coefficient, in the units of psi.
+  double c01 = 0.1;  ///< Second Mooney-Rivlin coefficient, in the units of psi.
+  double K = 1.0;    ///< Volume stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -54,13 +54,14 @@ struct MooneyRivlin3d {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     const CubeRoots<T> roots(s);
     return c10 * roots.excess() + c01 * roots.cofactor_excess() + 0.5 * K * square(s.J_minus_one());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T v = isochoric_factor(s), v2 = c01 * v * v, w = c10 * v, I2 = s.I2(), M = cofactor_norm(s);
     T r[3], m[3];
     for (int i = 0; i < 3; ++i) {
@@ -90,9 +91,9 @@ struct MooneyRivlin3d {
   }
 
  private:
-  // |cof F|^2.
+  /// Returns |cof F|^2.
   template <class T>
-  ISOSTRETCH_INLINE static T cofactor_norm(const Stretch<3, T>& s) {
+  ISOSTRETCH_INLINE static T cofactor_norm(const PrincipalStretches<3, T>& s) {
     return square(s[0] * s[1]) + square(s[1] * s[2]) + square(s[2] * s[0]);
   }
 };

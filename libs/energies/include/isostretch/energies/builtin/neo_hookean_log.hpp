@@ -4,14 +4,14 @@
 
 namespace isostretch::energies {
 
-// Logarithmic Neo-Hookean (Bonet & Wood): psi = mu/2 (|F|^2 - dim) - mu log J + lambda/2 log(J)^2. Infinite
-// at det F <= 0. Lame parameters: (mu, lambda).
+/// The logarithmic Neo-Hookean energy (Bonet and Wood): psi = mu/2 (|F|^2 - dim) - mu log J + lambda/2
+/// log(J)^2. Infinite at det F <= 0. The Lame parameters of small strain are (mu, lambda).
 struct NeoHookeanLog {
   static constexpr const char* name = "neo_hookean_log";
   static constexpr double minimum_determinant = 0.0;
 
-  double mu = 1.0;
-  double lambda = 1.0;
+  double mu = 1.0;      ///< Shear modulus, in the units of psi.
+  double lambda = 1.0;  ///< First Lame parameter, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -43,13 +43,14 @@ struct NeoHookeanLog {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     const T L = log_determinant(s);
     return 0.5 * mu * s.I2_minus_dim() - mu * L + 0.5 * lambda * L * L;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T L = log_determinant(s), pressure = lambda * L;
     T r[Dim];
     for (int i = 0; i < Dim; ++i) r[i] = 1.0 / s[i];

@@ -4,14 +4,14 @@
 
 namespace isostretch::energies {
 
-// psi = mu |E|^2 + kappa/2 tr(E)^2, E = (F^T F - I)/2 (Smith et al. 2019, appendix F.3, which prints |E|).
-// Finite under inversion. Every mode can be negative. Lame parameters: (mu, kappa). mu = 4, kappa = 0 is |F^T
-// F - I|^2.
+/// The St. Venant-Kirchhoff energy: psi = mu |E|^2 + kappa/2 tr(E)^2, E = (F^T F - I)/2 (Smith, de Goes, Kim
+/// 2019, appendix F.3, which prints |E|). Finite under inversion. Every mode can be negative. The Lame
+/// parameters of small strain are (mu, kappa). mu = 4, kappa = 0 is |F^T F - I|^2.
 struct StVenantKirchhoff {
   static constexpr const char* name = "st_venant_kirchhoff";
 
-  double mu = 1.0;
-  double kappa = 1.0;
+  double mu = 1.0;     ///< Shear modulus, in the units of psi.
+  double kappa = 1.0;  ///< First Lame parameter, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -54,14 +54,15 @@ struct StVenantKirchhoff {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum(0.0);
     for (int i = 0; i < Dim; ++i) sum = sum + square(0.5 * (s[i] - 1.0) * (s[i] + 1.0));
     return mu * sum + 0.125 * kappa * square(s.I2_minus_dim());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T pressure = 0.5 * kappa * s.I2_minus_dim();
     d.psi = psi(s);
     for (int i = 0; i < Dim; ++i) {

@@ -4,14 +4,14 @@
 
 namespace isostretch::energies {
 
-// psi = mu/2 (|F|^2 - dim) - mu (J - 1) + lambda/2 (J - 1)^2: the variant of stable Neo-Hookean without a
-// logarithm. Finite under inversion. Lame parameters of small strain: (mu, lambda - mu); pass lambda =
-// lambda_Lame + mu.
+/// Stable Neo-Hookean elasticity without a logarithm: psi = mu/2 (|F|^2 - dim) - mu (J - 1) + lambda/2 (J -
+/// 1)^2. Finite under inversion. The Lame parameters of small strain are (mu, lambda - mu); pass lambda =
+/// lambda_Lame + mu.
 struct StableNeoHookean {
   static constexpr const char* name = "stable_neo_hookean";
 
-  double mu = 1.0;
-  double lambda = 1.0;
+  double mu = 1.0;      ///< Shear modulus, in the units of psi.
+  double lambda = 1.0;  ///< Volume stiffness, lambda_Lame + mu, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -40,13 +40,14 @@ struct StableNeoHookean {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     const T j = s.J_minus_one();
     return 0.5 * mu * s.I2_minus_dim() - mu * j + 0.5 * lambda * j * j;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T j = s.J_minus_one(), pressure = lambda * j;
     d.psi = 0.5 * mu * s.I2_minus_dim() - mu * j + 0.5 * pressure * j;
     for (int i = 0; i < Dim; ++i) {

@@ -4,14 +4,14 @@
 
 namespace isostretch::energies {
 
-// Stable Neo-Hookean of Smith, de Goes, Kim 2018: psi = mu/2 (|F|^2 - dim) + lambda/2 (J - alpha)^2 - mu/2
-// log(|F|^2 + 1), alpha = 1 + mu/lambda dim/(dim + 1), stress-free at rest (psi is not zero there). Finite
-// under inversion. In 3D small strain has mu_Lame = 3/4 mu, lambda_Lame = lambda - 5/8 mu.
+/// Stable Neo-Hookean elasticity of Smith, de Goes, Kim 2018: psi = mu/2 (|F|^2 - dim) + lambda/2 (J -
+/// alpha)^2 - mu/2 log(|F|^2 + 1), alpha = 1 + mu/lambda dim/(dim + 1). Stress-free at rest, where psi is not
+/// zero. Finite under inversion. In 3D, small strain has mu_Lame = 3/4 mu, lambda_Lame = lambda - 5/8 mu.
 struct StableNeoHookeanLog {
   static constexpr const char* name = "stable_neo_hookean_log";
 
-  double mu = 1.0;
-  double lambda = 1.0;
+  double mu = 1.0;      ///< Shear parameter, 4/3 of the Lame modulus in 3D, in the units of psi.
+  double lambda = 1.0;  ///< Volume stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -44,13 +44,14 @@ struct StableNeoHookeanLog {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return 0.5 * mu * s.I2_minus_dim() + 0.5 * lambda * square(s.J() - alpha<Dim>()) -
            0.5 * mu * log(s.I2() + 1.0);
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     // The rest values dim/(dim + 1) are taken out of both terms, so that they do not cancel there; towards
     // F = 0 it is the other way round.
     constexpr double rest = double(Dim) / (Dim + 1);
@@ -74,6 +75,8 @@ struct StableNeoHookeanLog {
     }
   }
 
+  /// Returns the determinant alpha = 1 + mu/lambda dim/(dim + 1), with which the rest state is free of
+  /// stress.
   template <int Dim>
   double alpha() const {
     return 1.0 + mu / lambda * Dim / (Dim + 1);

@@ -4,14 +4,15 @@
 
 namespace isostretch::energies {
 
-// psi = mu/2 (|F - R|^2 + |F^-1 - R^-1|^2) = mu/2 sum (sigma - 1)^2 + (1/sigma - 1)^2 (Smith et al. 2019,
-// appendix F.2, where the constant must be + mu dim). Infinite at det F <= 0. Only twists can be negative.
+/// The symmetric ARAP energy: psi = mu/2 (|F - R|^2 + |F^-1 - R^-1|^2) = mu/2 sum (sigma - 1)^2 + (1/sigma -
+/// 1)^2 (Smith, de Goes, Kim 2019, appendix F.2, where the constant must be + mu dim). Infinite at det F <=
+/// 0. Only twists can be negative.
 struct SymmetricArap {
   static constexpr const char* name = "symmetric_arap";
   static constexpr double minimum_determinant = 0.0;
   static constexpr bool decoupled = true;
 
-  double mu = 1.0;
+  double mu = 1.0;  ///< Stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -60,14 +61,15 @@ struct SymmetricArap {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum(0.0);
     for (int i = 0; i < Dim; ++i) sum = sum + square(s[i] - 1.0) * (1.0 + square(1.0 / s[i]));
     return 0.5 * mu * sum;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     T r[Dim];
     T sum(0.0);
     for (int i = 0; i < Dim; ++i) {

@@ -4,16 +4,16 @@
 
 namespace isostretch::energies {
 
-// psi = weight (|F|^2 + |F^-1|^2). weight = 1 is the convention of the parameterization literature, with
-// minimum 2 dim; weight = 1/2 that of Smith et al. 2019, Eqs. 34, 35, whose forms lose every digit of the 3D
-// twist at extreme stretch: the ones here, in sigma, do not. Infinite at det F <= 0. Only twists can be
-// negative.
+/// The symmetric Dirichlet energy: psi = weight (|F|^2 + |F^-1|^2). weight = 1 is the convention of the
+/// parameterization literature, with minimum 2 dim; weight = 1/2 is that of Smith, de Goes, Kim 2019, Eqs.
+/// 34, 35, whose forms lose every digit of the 3D twist at extreme stretch: the ones here, in sigma, do not.
+/// Infinite at det F <= 0. Only twists can be negative.
 struct SymmetricDirichlet {
   static constexpr const char* name = "symmetric_dirichlet";
   static constexpr double minimum_determinant = 0.0;
   static constexpr bool decoupled = true;
 
-  double weight = 1.0;
+  double weight = 1.0;  ///< Factor, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -60,14 +60,15 @@ struct SymmetricDirichlet {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     T sum = square(s[0]) + square(1.0 / s[0]);
     for (int i = 1; i < Dim; ++i) sum = sum + square(s[i]) + square(1.0 / s[i]);
     return weight * sum;
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const double w = 2.0 * weight;
     T r[Dim];
     T sum(0.0);

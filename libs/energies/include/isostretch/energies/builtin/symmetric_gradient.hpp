@@ -4,8 +4,9 @@
 
 namespace isostretch::energies {
 
-// psi = 1/2 |F|^2 - log J (Stein, Li, Solomon 2022 and others): neo_hookean_log with mu = 1, lambda = 0 up to
-// a constant. Infinite at det F <= 0. Only twists can be negative, where a b < 1.
+/// The symmetric gradient energy: psi = 1/2 |F|^2 - log J (Stein, Li, Solomon 2022 and others), which is
+/// neo_hookean_log with mu = 1, lambda = 0 up to a constant. Infinite at det F <= 0. Only twists can be
+/// negative, where a b < 1.
 struct SymmetricGradient {
   static constexpr const char* name = "symmetric_gradient";
   static constexpr double minimum_determinant = 0.0;
@@ -31,12 +32,13 @@ struct SymmetricGradient {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return 0.5 * s.I2() - log_determinant(s);
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     T r[Dim];
     for (int i = 0; i < Dim; ++i) {
       r[i] = 1.0 / s[i];

@@ -4,11 +4,11 @@
 
 namespace isostretch::energies {
 
-// psi = weight (J - 1)^2, a term to add to others. Finite under inversion.
+/// A quadratic volume term to add to other energies: psi = weight (J - 1)^2. Finite under inversion.
 struct VolumeQuadratic {
   static constexpr const char* name = "volume_quadratic";
 
-  double weight = 1.0;
+  double weight = 1.0;  ///< Stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -34,12 +34,13 @@ struct VolumeQuadratic {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     return weight * square(s.J_minus_one());
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T j = s.J_minus_one();
     set_zero(d);
     d.psi = weight * j * j;

@@ -4,12 +4,13 @@
 
 namespace isostretch::energies {
 
-// psi = weight (J + 1/J - 2) / 2, a term to add to others. Infinite at det F <= 0.
+/// A volume term to add to other energies that treats growing and shrinking alike: psi = weight (J + 1/J - 2)
+/// / 2. Infinite at det F <= 0.
 struct VolumeSymmetric {
   static constexpr const char* name = "volume_symmetric";
   static constexpr double minimum_determinant = 0.0;
 
-  double weight = 1.0;
+  double weight = 1.0;  ///< Stiffness, in the units of psi.
 
   template <class Visitor>
   void parameters(Visitor&& visit) {
@@ -36,13 +37,14 @@ struct VolumeSymmetric {
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE T psi(const Stretch<Dim, T>& s) const {
+  ISOSTRETCH_INLINE T psi(const PrincipalStretches<Dim, T>& s) const {
     const T j = s.J_minus_one();
     return 0.5 * weight * j * j / s.J();
   }
 
   template <int Dim, class T>
-  ISOSTRETCH_INLINE void derivatives(const Stretch<Dim, T>& s, StretchDerivatives<Dim, T>& d) const {
+  ISOSTRETCH_INLINE void derivatives(const PrincipalStretches<Dim, T>& s,
+                                     StretchDerivatives<Dim, T>& d) const {
     const T J = s.J(), r = 1.0 / J, j = s.J_minus_one();
     set_zero(d);
     d.psi = 0.5 * weight * j * j * r;

@@ -15,9 +15,9 @@ enum class Coding { text, little_endian, big_endian };
 // A file in memory that holds text, or binary numbers with text around them, read from front to back. Numbers
 // are read as the coding says, words and lines always as text; a byte-order mark in front is passed over.
 // Failures name the line, or once the coding is binary the byte, of what was read last.
-class Source {
+class InputCursor {
  public:
-  Source(std::string_view contents, const std::string& name);
+  InputCursor(std::string_view contents, const std::string& name);
 
   void set_coding(Coding coding);
   bool binary() const { return coding_ != Coding::text; }

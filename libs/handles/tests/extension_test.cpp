@@ -3,8 +3,8 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/fem/elements.hpp>
 #include <isostretch/fem/quadratic.hpp>
+#include <isostretch/handles/extension.hpp>
 #include <isostretch/handles/selection.hpp>
-#include <isostretch/handles/spread.hpp>
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/mesh/structured.hpp>
 
@@ -66,37 +66,37 @@ std::vector<int> outside(const Nodes& nodes) {
 
 TEST_CASE("handles that are all translated alike take everything along") {
   for (const Body& b : {tets(), hexes(), quadratic_tets(), triangles()})
-    for (const SpreadKind kind : {SpreadKind::harmonic, SpreadKind::biharmonic}) {
+    for (const ExtensionKind kind : {ExtensionKind::harmonic, ExtensionKind::biharmonic}) {
       const Vector u = sampled(b.nodes, [](const Point&) { return Point(1, -2, 0.5); });
-      CHECK((Spreader(b.elements, ends(b.nodes), kind).spread(u) - u).cwiseAbs().maxCoeff() < 1e-9);
-      CHECK((Spreader(b.elements, {0}, kind).spread(u) - u).cwiseAbs().maxCoeff() < 1e-9);
+      CHECK((Extension(b.elements, ends(b.nodes), kind).extend(u) - u).cwiseAbs().maxCoeff() < 1e-9);
+      CHECK((Extension(b.elements, {0}, kind).extend(u) - u).cwiseAbs().maxCoeff() < 1e-9);
     }
 }
 
-TEST_CASE("a boundary that is mapped affinely makes the harmonic spread affine inside") {
+TEST_CASE("a boundary that is mapped affinely makes the harmonic extension affine inside") {
   // Affine maps are harmonic; K M^-1 K asks besides that K u vanish at the boundary, which it does not.
   const Field affine = [](const Point& p) {
     return Point(0.3 * p.x() - p.y(), 0.2 * p.z() + 1, p.x() + 0.1 * p.y());
   };
   for (const Body& b : {tets(), hexes(), quadratic_tets(), triangles()}) {
     const Vector u = sampled(b.nodes, affine);
-    const Vector spread = Spreader(b.elements, outside(b.nodes), SpreadKind::harmonic).spread(u);
-    CHECK((spread - u).cwiseAbs().maxCoeff() < 1e-12);
+    const Vector extended = Extension(b.elements, outside(b.nodes), ExtensionKind::harmonic).extend(u);
+    CHECK((extended - u).cwiseAbs().maxCoeff() < 1e-12);
   }
 }
 
-TEST_CASE("a bar between two ends: harmonic spread is linear along it") {
+TEST_CASE("a bar between two ends: harmonic extension is linear along it") {
   const Body b = hexes();
   const Vector u = sampled(b.nodes, [](const Point& p) { return Point(p.x() / 6, 0, 0); });
-  CHECK((Spreader(b.elements, ends(b.nodes), SpreadKind::harmonic).spread(u) - u).cwiseAbs().maxCoeff() <
+  CHECK((Extension(b.elements, ends(b.nodes), ExtensionKind::harmonic).extend(u) - u).cwiseAbs().maxCoeff() <
         1e-12);
 }
 
-TEST_CASE("the harmonic spread stays between the least and the most that is given") {
+TEST_CASE("the harmonic extension stays between the least and the most that is given") {
   // Of elements without obtuse angles, as those of these bars and grids.
   for (const Body& b : {tets(), triangles()}) {
     const Vector given = sampled(b.nodes, [](const Point& p) { return Point(p.x() > 1 ? p.y() : -1, 0, 0); });
-    const Vector u = Spreader(b.elements, ends(b.nodes), SpreadKind::harmonic).spread(given);
+    const Vector u = Extension(b.elements, ends(b.nodes), ExtensionKind::harmonic).extend(given);
     for (int n = 0; n < b.nodes.count(); ++n) {
       CHECK(u[b.nodes.dim * n] >= -1 - 1e-12);
       CHECK(u[b.nodes.dim * n] <= 3 + 1e-12);
@@ -104,18 +104,18 @@ TEST_CASE("the harmonic spread stays between the least and the most that is give
   }
 }
 
-TEST_CASE("the biharmonic spread leaves the handles without a kink") {
+TEST_CASE("the biharmonic extension leaves the handles without a kink") {
   const Body b = hexes();
   std::vector<int> given = select(Slab{0, End::min, 1.1, false}, b.nodes, "low");
   for (const int n : select(Slab{0, End::max, 1.1, false}, b.nodes, "high")) given.push_back(n);
   const Vector u = sampled(b.nodes, [](const Point& p) { return Point(p.x() > 3 ? 1 : 0, 0, 0); });
-  const auto at = [&](SpreadKind kind, double x) {
+  const auto at = [&](ExtensionKind kind, double x) {
     const int n = select(Nearest{{x, 1, 1}, 1}, b.nodes, "probe")[0];
-    return Spreader(b.elements, given, kind).spread(u)[3 * n];
+    return Extension(b.elements, given, kind).extend(u)[3 * n];
   };
-  CHECK(at(SpreadKind::harmonic, 2) == doctest::Approx(0.25));
-  CHECK(at(SpreadKind::biharmonic, 2) < 0.21);
-  CHECK(at(SpreadKind::biharmonic, 3) == doctest::Approx(0.5));
+  CHECK(at(ExtensionKind::harmonic, 2) == doctest::Approx(0.25));
+  CHECK(at(ExtensionKind::biharmonic, 2) < 0.21);
+  CHECK(at(ExtensionKind::biharmonic, 3) == doctest::Approx(0.5));
 }
 
 TEST_CASE("given displacements come out to the bit, and components without any stay") {
@@ -126,32 +126,32 @@ TEST_CASE("given displacements come out to the bit, and components without any s
   two.tets.resize(24, 4);
   two.tets << one.tets, one.tets.array() + 13;
   const Body b = body(mesh::elements(two), two.vertices);
-  for (const SpreadKind kind : {SpreadKind::harmonic, SpreadKind::biharmonic}) {
+  for (const ExtensionKind kind : {ExtensionKind::harmonic, ExtensionKind::biharmonic}) {
     const Vector u = sampled(b.nodes, [](const Point& p) { return Point(0.1 * p.x() + 1, 0.7, 1 / 3.0); });
-    const Vector spread = Spreader(b.elements, {0, 5}, kind).spread(u);
-    for (const int n : {0, 5}) CHECK(spread.segment(3 * n, 3) == u.segment(3 * n, 3));
-    CHECK(spread.segment(0, 36).cwiseAbs().minCoeff() > 0.1);
-    CHECK(spread.tail(39).isZero(0));
+    const Vector extended = Extension(b.elements, {0, 5}, kind).extend(u);
+    for (const int n : {0, 5}) CHECK(extended.segment(3 * n, 3) == u.segment(3 * n, 3));
+    CHECK(extended.segment(0, 36).cwiseAbs().minCoeff() > 0.1);
+    CHECK(extended.tail(39).isZero(0));
   }
-  CHECK(Spreader(b.elements, {}, SpreadKind::harmonic).spread(Vector::Ones(75)).isZero(0));
+  CHECK(Extension(b.elements, {}, ExtensionKind::harmonic).extend(Vector::Ones(75)).isZero(0));
 }
 
-TEST_CASE("the biharmonic spread is solved on fine sheets and thin plates") {
+TEST_CASE("the biharmonic extension is solved on fine sheets and thin plates") {
   const auto sheet = mesh::grid(120, 120, 1, 1);
   const mesh::Points2 flat = sheet.vertices.leftCols<2>();
   const auto plate = mesh::tet_bar(30, 20, 7, 4, 1, 0.01);
   for (const Body& b :
        {body(mesh::elements(flat, sheet.triangles), flat), body(mesh::elements(plate), plate.vertices)}) {
     const Vector u = sampled(b.nodes, [](const Point&) { return Point(1, -2, 0.5); });
-    const Vector spread = Spreader(b.elements, ends(b.nodes), SpreadKind::biharmonic).spread(u);
-    CHECK((spread - u).cwiseAbs().maxCoeff() < 1e-3);  // the condition is that of K squared
+    const Vector extended = Extension(b.elements, ends(b.nodes), ExtensionKind::biharmonic).extend(u);
+    CHECK((extended - u).cwiseAbs().maxCoeff() < 1e-3);  // the condition is that of K squared
   }
 }
 
 TEST_CASE("misuse is named") {
   const Body b = tets();
-  CHECK_THROWS_WITH_AS(Spreader(b.elements, {3, 1000}, SpreadKind::harmonic), doctest::Contains("node 1000"),
-                       Error);
-  CHECK_THROWS_WITH_AS(Spreader(b.elements, {3}, SpreadKind::harmonic).spread(Vector::Zero(5)),
+  CHECK_THROWS_WITH_AS(Extension(b.elements, {3, 1000}, ExtensionKind::harmonic),
+                       doctest::Contains("node 1000"), Error);
+  CHECK_THROWS_WITH_AS(Extension(b.elements, {3}, ExtensionKind::harmonic).extend(Vector::Zero(5)),
                        doctest::Contains("5 displacements"), Error);
 }

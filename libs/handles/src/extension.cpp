@@ -3,7 +3,7 @@
 #include <isostretch/assembly/operators.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/handles/elements.hpp>
-#include <isostretch/handles/spread.hpp>
+#include <isostretch/handles/extension.hpp>
 #include <isostretch/sparse/solver.hpp>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::vector<Role> roles_of(const assembly::Elements& elements, const std::vector
 
 }  // namespace
 
-struct Spreader::System {
+struct Extension::System {
   int dim = 0;
   std::vector<Role> roles;
   std::vector<int> unknown;  // of every node, -1 where it is not free
@@ -86,25 +86,25 @@ sparse::Options factorizing() {
   return options;
 }
 
-Spreader::Spreader(const assembly::Elements& elements, const std::vector<int>& given, SpreadKind kind,
-                   const sparse::Options& solver)
+Extension::Extension(const assembly::Elements& elements, const std::vector<int>& given, ExtensionKind kind,
+                     const sparse::Options& solver)
     : system_(std::make_unique<System>()) {
   elements.validate();
   system_->dim = elements.dim;
   system_->roles = roles_of(elements, given);
   system_->number();
   const Rows stiffness = stiffness_rows(elements);
-  system_->operator_rows = kind == SpreadKind::harmonic
+  system_->operator_rows = kind == ExtensionKind::harmonic
                                ? stiffness
                                : squared(stiffness, assembly::operators::lumped_mass(elements));
   system_->factorize(solver);
 }
 
-Spreader::~Spreader() = default;
-Spreader::Spreader(Spreader&&) noexcept = default;
-Spreader& Spreader::operator=(Spreader&&) noexcept = default;
+Extension::~Extension() = default;
+Extension::Extension(Extension&&) noexcept = default;
+Extension& Extension::operator=(Extension&&) noexcept = default;
 
-Vector Spreader::spread(const Vector& displacement) const {
+Vector Extension::extend(const Vector& displacement) const {
   const System& s = *system_;
   if (displacement.size() != static_cast<Eigen::Index>(s.roles.size()) * s.dim)
     throw Error("spread: " + std::to_string(displacement.size()) + " displacements for " +

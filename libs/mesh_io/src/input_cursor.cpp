@@ -1,4 +1,4 @@
-#include "source.hpp"
+#include "input_cursor.hpp"
 
 #include "characters.hpp"
 #include "number.hpp"
@@ -29,14 +29,14 @@ std::string lower(std::string_view word) {
   return text;
 }
 
-void Source::set_coding(Coding coding) {
+void InputCursor::set_coding(Coding coding) {
   coding_ = coding;
   const Coding native =
       std::endian::native == std::endian::little ? Coding::little_endian : Coding::big_endian;
   swap_ = coding != Coding::text && coding != native;
 }
 
-Source::Source(std::string_view contents, const std::string& name)
+InputCursor::InputCursor(std::string_view contents, const std::string& name)
     : contents_(contents),
       name_(name),
       start_(byte_order_mark(contents)),
@@ -44,12 +44,12 @@ Source::Source(std::string_view contents, const std::string& name)
       last_(start_),
       old_line_ends_(has_old_line_ends(contents)) {}
 
-void Source::skip_rest_of_line() {
+void InputCursor::skip_rest_of_line() {
   while (position_ < contents_.size() && !is_line_end(contents_[position_])) ++position_;
 }
 
 // Length of a backslash and the end of the line behind it, 0 where there is none.
-std::size_t Source::joint(std::size_t position) const {
+std::size_t InputCursor::joint(std::size_t position) const {
   if (!continued_ || contents_[position] != '\\') return 0;
   const std::string_view rest = contents_.substr(position + 1, 2);
   if (rest.empty()) return 1;
@@ -57,7 +57,7 @@ std::size_t Source::joint(std::size_t position) const {
   return rest == "\r\n" ? 3 : 2;
 }
 
-void Source::skip_blanks() {
+void InputCursor::skip_blanks() {
   while (position_ < contents_.size()) {
     const char c = contents_[position_];
     if (comments_ && c == '#') {
@@ -71,13 +71,13 @@ void Source::skip_blanks() {
   }
 }
 
-bool Source::empty() {
+bool InputCursor::empty() {
   skip_blanks();
   last_ = position_;
   return position_ == contents_.size() || is_line_end(contents_[position_]);
 }
 
-std::string_view Source::peek_word() const {
+std::string_view InputCursor::peek_word() const {
   std::size_t end = position_;
   while (end < contents_.size() && !is_space(contents_[end]) && !(comments_ && contents_[end] == '#') &&
          joint(end) == 0)
@@ -85,14 +85,14 @@ std::string_view Source::peek_word() const {
   return contents_.substr(position_, end - position_);
 }
 
-std::string_view Source::word() {
+std::string_view InputCursor::word() {
   empty();
   const std::string_view found = peek_word();
   position_ += found.size();
   return found;
 }
 
-std::string_view Source::line() {
+std::string_view InputCursor::line() {
   last_ = position_;
   skip_rest_of_line();
   const std::string_view found = contents_.substr(last_, position_ - last_);
@@ -101,12 +101,12 @@ std::string_view Source::line() {
   return found;
 }
 
-std::string_view Source::rest_of_line() const {
+std::string_view InputCursor::rest_of_line() const {
   const std::string_view rest = contents_.substr(position_);
   return rest.substr(0, rest.find_first_of("\r\n"));
 }
 
-void Source::next_line() {
+void InputCursor::next_line() {
   if (binary()) return;
   if (position_ > start_ && !is_line_end(contents_[position_ - 1])) skip_rest_of_line();
   for (; position_ < contents_.size(); ++position_) {
@@ -116,14 +116,14 @@ void Source::next_line() {
   last_ = position_;
 }
 
-std::size_t Source::drop_words() {
+std::size_t InputCursor::drop_words() {
   std::size_t end = position_;
   while (!empty()) end = position_ += peek_word().size();
   return end;
 }
 
 // The usual number ends where a blank begins; everything else is looked at again.
-double Source::text_coordinate(const char* what) {
+double InputCursor::text_coordinate(const char* what) {
   if (empty()) fail(std::string("missing ") + what);
   const char* const end_of_file = contents_.data() + contents_.size();
   double value = 0;
@@ -134,7 +134,7 @@ double Source::text_coordinate(const char* what) {
   return value;
 }
 
-double Source::explained_coordinate(const char* what) {
+double InputCursor::explained_coordinate(const char* what) {
   const std::string_view text = peek_word();
   const Parsed<double> parsed = parse_coordinate(text);
   if (!parsed.fault.empty()) fail(std::string(what) + " " + parsed.fault);
@@ -143,7 +143,7 @@ double Source::explained_coordinate(const char* what) {
 }
 
 // The usual one has no plus sign and ends where a blank begins.
-std::int64_t Source::text_integer(const char* what) {
+std::int64_t InputCursor::text_integer(const char* what) {
   if (empty()) fail(std::string("missing ") + what);
   const char* const end_of_file = contents_.data() + contents_.size();
   std::int64_t value = 0;
@@ -153,7 +153,7 @@ std::int64_t Source::text_integer(const char* what) {
   return value;
 }
 
-std::int64_t Source::explained_integer(const char* what) {
+std::int64_t InputCursor::explained_integer(const char* what) {
   const std::string_view text = peek_word();
   const Parsed<std::int64_t> parsed = parse_integer(text);
   if (!parsed.fault.empty()) fail(std::string(what) + " " + parsed.fault);
@@ -161,33 +161,33 @@ std::int64_t Source::explained_integer(const char* what) {
   return parsed.value;
 }
 
-std::string_view Source::bytes(std::size_t count, const char* what) {
+std::string_view InputCursor::bytes(std::size_t count, const char* what) {
   last_ = position_;
   if (count > left()) fail(std::string("the file ends within the ") + what);
   position_ += count;
   return contents_.substr(last_, count);
 }
 
-const char* Source::number_bytes(Scalar type, const char* what) {
+const char* InputCursor::number_bytes(Scalar type, const char* what) {
   last_ = position_;
   if (size_of(type) > left()) fail(std::string("the file ends where the ") + what + " should be");
   position_ += size_of(type);
   return contents_.data() + last_;
 }
 
-double Source::coordinate(Scalar type, const char* what) {
+double InputCursor::coordinate(Scalar type, const char* what) {
   if (!binary()) return text_coordinate(what);
   const double value = load_real(number_bytes(type, what), type, swap_);
   if (!std::isfinite(value)) fail(std::string(what) + " is not finite");
   return value;
 }
 
-std::int64_t Source::integer(Scalar type, const char* what) {
+std::int64_t InputCursor::integer(Scalar type, const char* what) {
   return binary() ? load_integer(number_bytes(type, what), type, swap_) : text_integer(what);
 }
 
-int Source::checked_count(std::int64_t given, const char* what, std::size_t bytes_each,
-                          const Place& place) const {
+int InputCursor::checked_count(std::int64_t given, const char* what, std::size_t bytes_each,
+                               const Place& place) const {
   if (given < 0) place.fail(std::string(what) + " is negative: " + std::to_string(given));
   // The last number of a text may lack the blank behind it.
   if (static_cast<std::uint64_t>(given) > (left() + 1) / bytes_each)
@@ -196,29 +196,29 @@ int Source::checked_count(std::int64_t given, const char* what, std::size_t byte
   return static_cast<int>(given);
 }
 
-int Source::count(Scalar type, const char* what, std::size_t bytes_each) {
+int InputCursor::count(Scalar type, const char* what, std::size_t bytes_each) {
   const std::int64_t given = integer(type, what);
   return checked_count(given, what, bytes_each, place());
 }
 
-int Source::text_count(const char* what, std::size_t bytes_each) {
+int InputCursor::text_count(const char* what, std::size_t bytes_each) {
   const std::int64_t given = text_integer(what);
   return checked_count(given, what, bytes_each, place());
 }
 
-std::vector<double> Source::coordinates(Scalar type, std::size_t count) {
+std::vector<double> InputCursor::coordinates(Scalar type, std::size_t count) {
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i) values[i] = coordinate(type, axis_labels[i % 3]);
   return values;
 }
 
-std::vector<std::int64_t> Source::integers(Scalar type, std::size_t count, const char* what) {
+std::vector<std::int64_t> InputCursor::integers(Scalar type, std::size_t count, const char* what) {
   std::vector<std::int64_t> values(count);
   for (std::int64_t& value : values) value = integer(type, what);
   return values;
 }
 
-int Source::index(Scalar type, const char* what, int first, std::size_t count) {
+int InputCursor::index(Scalar type, const char* what, int first, std::size_t count) {
   const std::int64_t given = integer(type, what);
   if (given < first || static_cast<std::uint64_t>(given - first) >= count)
     fail(out_of_range(what, given, count));
