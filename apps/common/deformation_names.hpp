@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/deformation/frame_file.hpp>
 #include <isostretch/deformation/handle_misses.hpp>
 #include <isostretch/deformation/handle_set.hpp>
 #include <isostretch/deformation/material.hpp>
@@ -14,6 +15,9 @@ namespace isostretch::app {
 using deformation::BallSpec;
 using deformation::BarSpec;
 using deformation::DiscSpec;
+using deformation::format_frame;
+using deformation::frame_name;
+using deformation::FrameFormat;
 using deformation::GeneratedSolid;
 using deformation::GridSpec;
 using deformation::Handle;
@@ -25,7 +29,9 @@ using deformation::InitialGuess;
 using deformation::Lame;
 using deformation::MeshRepair;
 using deformation::Plane;
+using deformation::pvd_text;
 using deformation::QuadrupedSpec;
+using deformation::require_holds;
 using deformation::SolidCheck;
 using deformation::SolidModel;
 using deformation::SolidSpec;

@@ -1,6 +1,6 @@
 #include "common/sequence_report.hpp"
 
-#include "common/frames.hpp"
+#include "common/deformation_names.hpp"
 #include "common/terminal.hpp"
 
 #include <isostretch/core/text.hpp>

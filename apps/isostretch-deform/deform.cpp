@@ -181,9 +181,9 @@ class Job {
   void write_frame(OutputFolder& folder, const std::string& file, const Vector& positions,
                    const StrainField& strain) {
     const ScopedTimer timer(frame_write_seconds_);
-    std::vector<CellField> fields{{"min_det_F", strain.min_det},
-                                  {"length_change", strain.length_change},
-                                  {"stress_norm", problem_.stress_norms(strain)}};
+    std::vector<mesh::MeshField> fields{{"min_det_F", strain.min_det},
+                                        {"length_change", strain.length_change},
+                                        {"stress_norm", problem_.stress_norms(strain)}};
     if (problem_.regions().size() > 1) fields.push_back({"region", problem_.region_numbers()});
     folder.write_now(file, format_frame(scene_.format, body_, positions, fields));
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/frames.hpp"
+#include "common/deformation_names.hpp"
 
 #include <isostretch/deformation/sequence_options.hpp>
 #include <isostretch/scene/value.hpp>

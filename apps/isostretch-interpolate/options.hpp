@@ -2,8 +2,6 @@
 
 #include "common/deformation_names.hpp"
 
-#include "common/frames.hpp"
-
 #include <isostretch/deformation/interpolation_options.hpp>
 #include <isostretch/scene/value.hpp>
 

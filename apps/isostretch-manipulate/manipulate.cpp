@@ -9,7 +9,6 @@
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "common/timed.hpp"
-#include "common/vtu.hpp"
 #include "input.hpp"
 #include "photo_frames.hpp"
 #include "report.hpp"
@@ -108,11 +107,11 @@ class Job {
     if (range_.first == 1) animation_.add(0, scene_.script.start, rest, strain);
     if (result.rotations.weights())
       folder.write_now("weights.vtu",
-                       vtu_text(body_, body_.nodes, {}, weight_fields(*result.rotations.weights())));
+                       deformation::format_rest(body_, weight_fields(*result.rotations.weights())));
   }
 
-  std::vector<NodeField> weight_fields(const handles::HandleWeights& weights) const {
-    std::vector<NodeField> fields;
+  std::vector<mesh::MeshField> weight_fields(const handles::HandleWeights& weights) const {
+    std::vector<mesh::MeshField> fields;
     const auto count = static_cast<std::size_t>(weights.handles);
     for (std::size_t h = 0; h < count; ++h) {
       fields.push_back({"weight_" + std::to_string(h), {}});

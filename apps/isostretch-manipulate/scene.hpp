@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/frames.hpp"
+#include "common/deformation_names.hpp"
 
 #include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/text.hpp>

@@ -5,7 +5,8 @@
 #include "zlib.hpp"
 
 #include <isostretch/core/base64.hpp>
-#include <isostretch/mesh_io/io.hpp>
+#include <isostretch/core/error.hpp>
+#include <isostretch/mesh_io/fields.hpp>
 
 #include <cstdint>
 #include <string>
@@ -13,6 +14,49 @@
 
 namespace isostretch::mesh {
 namespace {
+
+// As the value of an attribute.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+  }
+  return result;
+}
+
+int vtk_type(Shape shape) {
+  switch (shape) {
+    case Shape::triangle:
+      return vtk_triangle;
+    case Shape::quadratic_triangle:
+      return vtk_quadratic_triangle;
+    case Shape::quad:
+      return vtk_quad;
+    case Shape::tet:
+      return vtk_tet;
+    case Shape::quadratic_tet:
+      return vtk_quadratic_tet;
+    case Shape::hex:
+      break;
+  }
+  return vtk_hex;
+}
+
+void require_fits(const std::vector<MeshField>& fields, Eigen::Index count, const std::string& what) {
+  for (const MeshField& field : fields)
+    if (field.components < 1 ||
+        static_cast<Eigen::Index>(field.values.size()) != count * Eigen::Index{field.components})
+      throw Error("field '" + field.name + "': " + std::to_string(field.values.size()) +
+                  " numbers, and there are " + std::to_string(count) + " " + what + " with " +
+                  std::to_string(field.components) + " each");
+}
 
 // A header_type of UInt64 in front of every binary array.
 class VtuWriter {
@@ -22,8 +66,11 @@ class VtuWriter {
         base64_(options.vtu_base64),
         compressed_(binary_ && options.vtu_compressed) {}
 
+  using Fields = std::vector<MeshField>;
+
   template <class Elements>
-  std::string write(const Points3& vertices, const Elements& elements, int type) {
+  std::string write(const Points3& vertices, const Elements& elements, int type,
+                    const Fields& at_vertices = {}, const Fields& at_elements = {}) {
     const Eigen::Index corners = elements.cols(), cells = elements.rows();
     start(vertices.rows(), cells);
     out_ += "<Points>\n";
@@ -34,7 +81,10 @@ class VtuWriter {
           [&](Eigen::Index i) { return std::int32_t{elements.data()[i]}; });
     array("Int64", "offsets", "", cells, [&](Eigen::Index i) { return std::int64_t{corners * (i + 1)}; });
     array("UInt8", "types", "", cells, [&](Eigen::Index) { return static_cast<std::uint8_t>(type); });
-    out_ += "</Cells>\n</Piece>\n</UnstructuredGrid>\n";
+    out_ += "</Cells>\n";
+    write_fields("PointData", at_vertices);
+    write_fields("CellData", at_elements);
+    out_ += "</Piece>\n</UnstructuredGrid>\n";
     if (!appended_.empty()) out_ += "<AppendedData encoding=\"raw\">\n_" + appended_ + "\n</AppendedData>\n";
     out_ += "</VTKFile>\n";
     return std::move(out_);
@@ -51,8 +101,18 @@ class VtuWriter {
         std::to_string(cells) + "\">\n";
   }
 
+  void write_fields(const std::string& kind, const Fields& fields) {
+    if (fields.empty()) return;
+    out_.append("<").append(kind).append(">\n");
+    for (const MeshField& field : fields)
+      array("Float64", escaped(field.name), " NumberOfComponents=\"" + std::to_string(field.components) + '"',
+            static_cast<Eigen::Index>(field.values.size()),
+            [&](Eigen::Index i) { return field.values[static_cast<std::size_t>(i)]; });
+    out_.append("</").append(kind).append(">\n");
+  }
+
   template <class Value>
-  void array(const char* type, const char* name, const char* attributes, Eigen::Index count,
+  void array(const char* type, const std::string& name, const std::string& attributes, Eigen::Index count,
              const Value& value) {
     out_ += std::string("<DataArray type=\"") + type + "\" Name=\"" + name + '"' + attributes;
     if (binary_ && !base64_) {
@@ -133,6 +193,20 @@ std::string format_vtu(const SurfaceMesh& mesh, const WriteOptions& options) {
 std::string format_vtu(const TetMesh& mesh, const WriteOptions& options) {
   require_writable(mesh);
   return VtuWriter(options).write(mesh.vertices, mesh.tets, vtk_tet);
+}
+
+std::string format_vtu(const ElementMesh& mesh, const std::vector<MeshField>& at_vertices,
+                       const std::vector<MeshField>& at_elements, const WriteOptions& options) {
+  require_writable(mesh);
+  require_fits(at_vertices, mesh.vertices.rows(), "vertices");
+  require_fits(at_elements, mesh.elements.rows(), "elements");
+  return VtuWriter(options).write(mesh.vertices, mesh.elements, vtk_type(mesh.shape), at_vertices,
+                                  at_elements);
+}
+
+void write_vtu(const std::string& path, const ElementMesh& mesh, const std::vector<MeshField>& at_vertices,
+               const std::vector<MeshField>& at_elements, const WriteOptions& options) {
+  write_file(path, format_vtu(mesh, at_vertices, at_elements, options));
 }
 
 void write_vtu(const std::string& path, const SurfaceMesh& mesh, const WriteOptions& options) {

@@ -27,4 +27,13 @@ void require_writable(const TetMesh& mesh) {
   require_indices(mesh.tets, mesh.vertices.rows(), "tet");
 }
 
+void require_writable(const ElementMesh& mesh) {
+  require_count(mesh.elements.rows(), "elements");
+  require_finite(mesh.vertices, "vertex");
+  if (mesh.elements.cols() != shape_node_count(mesh.shape))
+    throw Error("elements: " + std::to_string(mesh.elements.cols()) + " vertices each, and the shape has " +
+                std::to_string(shape_node_count(mesh.shape)));
+  require_indices(mesh.elements, mesh.vertices.rows(), "element");
+}
+
 }  // namespace isostretch::mesh

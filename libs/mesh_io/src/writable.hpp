@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/mesh/element_mesh.hpp>
 #include <isostretch/mesh/types.hpp>
 
 namespace isostretch::mesh {
@@ -8,5 +9,6 @@ namespace isostretch::mesh {
 // when there are no elements: no reader would take it back. Texture coordinates count where there are any.
 void require_writable(const SurfaceMesh& mesh);
 void require_writable(const TetMesh& mesh);
+void require_writable(const ElementMesh& mesh);
 
 }  // namespace isostretch::mesh

@@ -38,7 +38,7 @@ double number(const std::string& part, const std::string& text) {
 
 Value point(const std::vector<double>& values, std::size_t from, std::size_t dim) {
   return Value(std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(from),
-                                  values.begin() + static_cast<std::ptrdiff_t>(from + dim)));
+                                   values.begin() + static_cast<std::ptrdiff_t>(from + dim)));
 }
 
 // Coordinates of so many points, in 2D or 3D, and so many numbers more: the dimension.
@@ -80,7 +80,9 @@ Value selection(const std::string& part) {
   }
   if (kind == "segment") {
     const std::size_t dim = dimension(part, n.size(), 2, 1);
-    return Value::object(kind, Value::object({{"from", point(n, 0, dim)}, {"to", point(n, dim, dim)}, {"distance", n.back()}}));
+    return Value::object(
+        kind,
+        Value::object({{"from", point(n, 0, dim)}, {"to", point(n, dim, dim)}, {"distance", n.back()}}));
   }
   if (kind == "nearest") {
     const std::size_t dim = dimension(part, n.size(), 1, 0);

@@ -65,9 +65,10 @@ handles::Selection read_selection(const Node& value, int dim) {
   if (const auto nearest = value.find("nearest")) return read_nearest(*nearest, dim);
   if (const auto patch = value.find("patch")) return read_patch(*patch, dim);
   if (const auto group = value.find("group"))
-    return handles::Group{group->value().is_text() ? group->text()
-                                           : std::to_string(group->whole(std::numeric_limits<int>::min(),
-                                                                         std::numeric_limits<int>::max()))};
+    return handles::Group{
+        group->value().is_text()
+            ? group->text()
+            : std::to_string(group->whole(std::numeric_limits<int>::min(), std::numeric_limits<int>::max()))};
   return handles::List{value.at("vertices").whole_numbers()};
 }
 

@@ -71,16 +71,21 @@ std::string option_tables() {
   parameterization::Options parameterization;
   scene::ComparisonLimits limits;
   return std::string(
-             "# Options\n\nThese are the options that scenes have in objects of their own. The page is made of "
-             "what the options say of themselves\nin the code, as the flags of the programs and the JSON Schema "
-             "of scenes are. A flag has the last part of a key's name with - for _.\nOptions without a flag are "
+             "# Options\n\nThese are the options that scenes have in objects of their own. The page is made "
+             "of "
+             "what the options say of themselves\nin the code, as the flags of the programs and the JSON "
+             "Schema "
+             "of scenes are. A flag has the last part of a key's name with - for _.\nOptions without a flag "
+             "are "
              "set by `--set`, such as `--set newton.armijo=1e-3`.\n") +
-         section("newton", "How energies are minimised: `isostretch-deform`, `isostretch-interpolate`, "
-                           "`isostretch-parameterize`.",
+         section("newton",
+                 "How energies are minimised: `isostretch-deform`, `isostretch-interpolate`, "
+                 "`isostretch-parameterize`.",
                  option_fields(newton), "newton.") +
          section("manipulation", "`isostretch-manipulate`.", option_fields(manipulation), "manipulation.") +
          section("interpolation",
-                 "`isostretch-interpolate`, which has other defaults of `newton`: the projection progressive, the "
+                 "`isostretch-interpolate`, which has other defaults of `newton`: the projection "
+                 "progressive, the "
                  "ordering amd, and\n1e-6 for the relative energy tolerance.",
                  scene::interpolation_fields(interpolation), "interpolation.") +
          section("parameterization", "`isostretch-parameterize`.",
@@ -91,8 +96,9 @@ std::string option_tables() {
 }  // namespace
 
 TEST_CASE("older scenes are brought up to the present schema") {
-  check_upgrade(R"({"guess": "rest", "solver": {"projection": "clamp", "backend": "pcg", "ordering": "amd"}})",
-                R"({"initial_guess": "rest",
+  check_upgrade(
+      R"({"guess": "rest", "solver": {"projection": "clamp", "backend": "pcg", "ordering": "amd"}})",
+      R"({"initial_guess": "rest",
                     "newton": {"projection": "clamp", "linear_solver": {"backend": "pcg", "ordering": "amd"}}})");
   check_upgrade(R"({"alpha": 1, "units": "mesh", "penalty": "cubic", "method": "penalty", "gap": 1e-3})",
                 R"({"manipulation": {"alpha": 1, "length_unit": "mesh", "method": "penalty",
@@ -128,8 +134,7 @@ TEST_CASE("versions and keys that there are not are refused") {
   CHECK_THROWS_WITH_AS(scene::check_keys(parsed(R"({"handels": []})")),
                        doctest::Contains("unknown key 'handels'; there are schema, mesh"), Error);
   Value both = parsed(R"({"alpha": 1, "manipulation": {"alpha": 2}})");
-  CHECK(error_of([&] { scene::upgrade(both); }) ==
-        "alpha: is now 'manipulation.alpha', which is given, too");
+  CHECK(error_of([&] { scene::upgrade(both); }) == "alpha: is now 'manipulation.alpha', which is given, too");
   Value other = parsed(R"({"alpha": 1, "manipulation": 3})");
   CHECK(error_of([&] { scene::upgrade(other); }) ==
         "alpha: is now 'manipulation.alpha', where something else is");

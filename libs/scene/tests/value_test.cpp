@@ -65,8 +65,8 @@ std::string error_of(const std::string& json) {
 }  // namespace
 
 TEST_CASE("what is parsed is written again") {
-  for (const char* text : {"null", "true", "-1.5", "\"a\\nb\"", "[1,[2,{}],\"x\"]", "{\"b\":1,\"a\":{\"c\":[]}}",
-                           "123456789012", "1e-300", "0.1"}) {
+  for (const char* text : {"null", "true", "-1.5", "\"a\\nb\"", "[1,[2,{}],\"x\"]",
+                           "{\"b\":1,\"a\":{\"c\":[]}}", "123456789012", "1e-300", "0.1"}) {
     CAPTURE(text);
     const Value value = scene::parse_json(text, "test");
     CHECK(scene::to_json(value) == text);
@@ -110,8 +110,8 @@ TEST_CASE("messages name the path, and where a moved value was written") {
 }
 
 TEST_CASE("options are read by their fields") {
-  const Options options =
-      read(R"({"on": false, "count": 5, "bound": 2.5, "name": "x", "color": "red", "inner": {"share": 0.25}})");
+  const Options options = read(
+      R"({"on": false, "count": 5, "bound": 2.5, "name": "x", "color": "red", "inner": {"share": 0.25}})");
   CHECK_FALSE(options.on);
   CHECK(options.count == 5);
   CHECK(options.bound == 2.5);
@@ -152,7 +152,8 @@ TEST_CASE("checks in code have the ranges of scenes") {
                        OptionError);
   options = {};
   options.count = 0;
-  CHECK_THROWS_WITH_AS(check_ranges(options), "count: must be a whole number from 1 to 5, not 0", OptionError);
+  CHECK_THROWS_WITH_AS(check_ranges(options), "count: must be a whole number from 1 to 5, not 0",
+                       OptionError);
 }
 
 TEST_CASE("a schema and a table say what a field is") {

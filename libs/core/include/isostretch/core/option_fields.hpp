@@ -92,9 +92,9 @@ std::vector<OptionField> option_fields(Options& options);
 /// Adds a field with its slot to the others.
 void append_field(std::vector<OptionField>& fields, const Field& field, OptionSlot slot);
 
-/// Returns the slot of a member: a bool, int, double, std::string, described options, or an enumeration. Beside the
-/// enumeration stands choice_names(Member), which returns its ChoiceNames, or choice_slot(Member&), where choices
-/// can be added while a program runs.
+/// Returns the slot of a member: a bool, int, double, std::string, described options, or an enumeration.
+/// Beside the enumeration stands choice_names(Member), which returns its ChoiceNames, or
+/// choice_slot(Member&), where choices can be added while a program runs.
 template <class Member>
 OptionSlot option_slot(Member& member) {
   if constexpr (DescribedOptions<Member>) {

@@ -23,7 +23,7 @@ struct Keyframe {
   Transform transform;  ///< Transform from the rest position.
 };
 
-/// A rotation about an axis that counts full axis_angles.
+/// A rotation about an axis that counts full turns.
 struct AxisAngle {
   Point axis = Point::UnitZ();  ///< Axis of rotation, of any length but zero; ignored in 2D.
   double degrees = 0;           ///< Angle of rotation; more than a full turn counts.
@@ -41,7 +41,7 @@ struct Placement {
 
 /// The motion of a handle by keyframes. Between them translation and scale are linear in time, and so is the
 /// angle as long as the axis stays (opposite axes are the same axis). Where the axis changes, the rotation
-/// goes the shortest way on the great arc (slerp), and full axis_angles do not count. Before the first and
+/// goes the shortest way on the great arc (slerp), and full turns do not count. Before the first and
 /// after the last keyframe the handle rests.
 class Motion {
  public:

@@ -14,7 +14,8 @@ namespace isostretch::sparse {
 // ISOSTRETCH_WITH_SUITESPARSE=OFF to leave CHOLMOD out.
 // Values beyond the last are those of register_solver() (solver.hpp).
 enum class Backend { automatic, cholmod_supernodal, cholmod_simplicial, eigen_ldlt, pcg };
-/// Returns the back end of options as a choice by name: those built in, compiled in or not, and those registered.
+/// Returns the back end of options as a choice by name: those built in, compiled in or not, and those
+/// registered.
 ChoiceSlot choice_slot(Backend& backend);
 
 // automatic: see README.md for the measurements behind the choice. metis needs CHOLMOD.

@@ -1,13 +1,12 @@
-#include "common/frames.hpp"
+#include <isostretch/deformation/frame_file.hpp>
 
-#include "common/exit_code.hpp"
-#include "common/vtu.hpp"
-
+#include <isostretch/core/error.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/to_text.hpp>
-#include <isostretch/mesh_io/io.hpp>
 
-namespace isostretch::app {
+#include <algorithm>
+
+namespace isostretch::deformation {
 namespace {
 
 mesh::SurfaceMesh surface_at(const SolidModel& body, const mesh::Points3& points) {
@@ -25,6 +24,20 @@ mesh::TetMesh tets_at(const SolidModel& body, const mesh::Points3& points) {
   return tets;
 }
 
+// Points are where the file has the body, which a flat one may have in any plane.
+std::string vtu_text(const SolidModel& body, const mesh::Points3& flat,
+                     const std::vector<mesh::MeshField>& fields,
+                     const std::vector<mesh::MeshField>& node_fields) {
+  mesh::ElementMesh elements{body.shape, body.placed(flat), {}, {}};
+  elements.elements.resize(body.elements.element_count(), body.elements.nodes_per_element);
+  std::copy(body.elements.nodes.begin(), body.elements.nodes.end(), elements.elements.data());
+  const mesh::Points3 displacement = elements.vertices - body.placed(body.nodes);
+  std::vector<mesh::MeshField> at_vertices{
+      {"displacement", {displacement.data(), displacement.data() + displacement.size()}, 3}};
+  at_vertices.insert(at_vertices.end(), node_fields.begin(), node_fields.end());
+  return mesh::format_vtu(elements, at_vertices, fields);
+}
+
 }  // namespace
 
 std::string frame_name(int number, FrameFormat format) {
@@ -33,17 +46,21 @@ std::string frame_name(int number, FrameFormat format) {
 
 void require_holds(FrameFormat format, const SolidModel& body) {
   if (format == FrameFormat::msh && body.shape != mesh::Shape::tet && body.shape != mesh::Shape::triangle)
-    throw Error("format: MSH is written with linear triangles and tets, not with " +
-                deformation::plural_name(body.shape) + "; take vtu");
+    throw Error("format: MSH is written with linear triangles and tets, not with " + plural_name(body.shape) +
+                "; take vtu");
 }
 
 std::string format_frame(FrameFormat format, const SolidModel& body, const Vector& positions,
-                         const std::vector<CellField>& fields) {
+                         const std::vector<mesh::MeshField>& fields) {
   const mesh::Points3 flat = body.points(positions);
-  if (format == FrameFormat::vtu) return vtu_text(body, flat, fields);
+  if (format == FrameFormat::vtu) return vtu_text(body, flat, fields, {});
   const mesh::Points3 points = body.placed(flat);
   if (format == FrameFormat::obj) return mesh::format_obj(surface_at(body, points));
   return body.dim == 2 ? mesh::format_msh(surface_at(body, points)) : mesh::format_msh(tets_at(body, points));
+}
+
+std::string format_rest(const SolidModel& body, const std::vector<mesh::MeshField>& node_fields) {
+  return vtu_text(body, body.nodes, {}, node_fields);
 }
 
 std::string pvd_text(const std::vector<std::pair<std::string, double>>& file_and_time) {
@@ -53,4 +70,4 @@ std::string pvd_text(const std::vector<std::pair<std::string, double>>& file_and
   return text + "</Collection>\n</VTKFile>\n";
 }
 
-}  // namespace isostretch::app
+}  // namespace isostretch::deformation
