@@ -25,9 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Match {
+class Benchmark {
  public:
-  Match(const CommandLine& command_line, const CommonOptions& common)
+  Benchmark(const CommandLine& command_line, const CommonOptions& common)
       : common_(common), scene_(command_line.scene()) {
     comparison_.options = command_line.options(scene_);
     read_problems(command_line.scene_file());
@@ -64,10 +64,12 @@ class Match {
     result.name = problem.name;
     result.facts = problem.facts;
     for (const baselines::MethodInfo& info : baselines::methods())
-      if (is_chosen(info)) result.entries.push_back({info, unsuited(info.name, problem.distortion), {}});
+      if (is_chosen(info))
+        result.entries.push_back({info, why_not_applicable(info.name, problem.distortion), {}});
     for (const Entry& entry : result.entries)
-      if (!entry.unsuited.empty())
-        notice(problem.name + ": " + std::string(entry.info.name) + " is not run: " + entry.unsuited);
+      if (!entry.why_not_applicable.empty())
+        notice(problem.name + ": " + std::string(entry.info.name) +
+               " is not run: " + entry.why_not_applicable);
     // Where a file lies does not matter; what is in it does.
     scene::Value without_mesh = value.value();
     without_mesh.take("mesh");
@@ -90,7 +92,7 @@ class Match {
     for (std::size_t p = 0; p < comparison_.problems.size(); ++p)
       for (Entry& entry : comparison_.problems[p].entries) {
         if (interrupted()) return;
-        if (entry.unsuited.empty()) run_once(p, entry, number);
+        if (entry.why_not_applicable.empty()) run_once(p, entry, number);
       }
   }
 
@@ -110,7 +112,7 @@ class Match {
   int wanted() const {
     int count = 0;
     for (const ProblemResult& problem : comparison_.problems)
-      for (const Entry& entry : problem.entries) count += entry.unsuited.empty() ? 1 : 0;
+      for (const Entry& entry : problem.entries) count += entry.why_not_applicable.empty() ? 1 : 0;
     return count * comparison_.options.repetitions;
   }
 
@@ -214,7 +216,7 @@ class Match {
 }  // namespace
 
 ExitCode compare(const CommandLine& command_line, const CommonOptions& common) {
-  return Match(command_line, common).run();
+  return Benchmark(command_line, common).run();
 }
 
 }  // namespace isostretch::app::compare

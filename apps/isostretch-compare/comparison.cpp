@@ -128,8 +128,8 @@ PhaseTimes milliseconds_per_iteration(const Entry& entry) {
   return times;
 }
 
-Race race(const Goal& goal, const ProblemResult& problem, const Limits& limits) {
-  Race result;
+GoalBenchmark benchmark_goal(const Goal& goal, const ProblemResult& problem, const Limits& limits) {
+  GoalBenchmark result;
   result.goal = goal;
   for (const Entry& entry : problem.entries) {
     const double seconds = time_to(goal, problem, entry, limits).median;
@@ -148,7 +148,7 @@ std::vector<Profile> performance_profiles(const Comparison& comparison) {
     Profile profile{goal, {}};
     for (const std::string& name : comparison.options.methods) profile.curves.push_back({name, {}});
     for (const ProblemResult& problem : comparison.problems) {
-      const double first = race(goal, problem, comparison.options.limits).first_seconds;
+      const double first = benchmark_goal(goal, problem, comparison.options.limits).first_seconds;
       for (std::size_t m = 0; m < profile.curves.size(); ++m) {
         const double seconds = time_to(goal, problem, problem.entries[m], comparison.options.limits).median;
         profile.curves[m].factors.push_back(std::isfinite(seconds) ? seconds / first : never);

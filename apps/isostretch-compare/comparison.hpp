@@ -40,8 +40,8 @@ struct Run {
 // One method on one problem.
 struct Entry {
   baselines::MethodInfo info;
-  std::string unsuited;   // why it was not run; empty where it was
-  std::vector<Run> runs;  // repetition by repetition
+  std::string why_not_applicable;  // why it was not run; empty where it was
+  std::vector<Run> runs;           // repetition by repetition
 
   std::string status() const;  // of most runs
   // A run of that status.
@@ -117,7 +117,7 @@ struct PhaseTimes {
 PhaseTimes milliseconds_per_iteration(const Entry& entry);
 
 // Who reaches a goal first, by the medians.
-struct Race {
+struct GoalBenchmark {
   Goal goal;
   std::string first;  // empty where nobody does
   double first_seconds = never, default_seconds = never;
@@ -130,7 +130,7 @@ struct Race {
   double factor() const { return default_seconds / first_seconds; }
   double rival_factor() const { return default_seconds < never ? rival_seconds / default_seconds : unknown; }
 };
-Race race(const Goal& goal, const ProblemResult& problem, const Limits& limits);
+GoalBenchmark benchmark_goal(const Goal& goal, const ProblemResult& problem, const Limits& limits);
 
 // Dolan & More 2002: for every method the factor by which it is behind the first, problem by problem.
 struct Profile {

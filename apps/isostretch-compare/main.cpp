@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
       {.name = "isostretch-compare",
        .purpose = "Runs all methods that minimise distortion on the same problems, and shows how far from "
                   "the optimum each is after how long.",
-       .examples = {"isostretch-compare face.obj --energy symmetric_dirichlet --out race"},
+       .examples = {"isostretch-compare face.obj --energy symmetric_dirichlet --out results"},
        .renamed = {{"--grad-tol", "--gradient-tolerance"}, {"--repeat", "--repetitions"}},
        .declare = [&](CLI::App& cli) { command_line.declare(cli); },
        .body =

@@ -68,10 +68,10 @@ std::string machine_table(const Comparison& comparison) {
             formatted(", in a process of its own; %d repetition(s)", options.repetitions)}});
 }
 
-std::string race_cell(const Race& race) {
-  if (race.first.empty()) return "nobody";
-  if (race.default_is_first()) return "first; best rival " + number(race.rival_factor(), "%.2f");
-  return race.first + "; " + number(race.factor(), "%.2f");
+std::string benchmark_cell(const GoalBenchmark& benchmark) {
+  if (benchmark.first.empty()) return "nobody";
+  if (benchmark.default_is_first()) return "first; best rival " + number(benchmark.rival_factor(), "%.2f");
+  return benchmark.first + "; " + number(benchmark.factor(), "%.2f");
 }
 
 // A row a problem: who is first.
@@ -84,7 +84,7 @@ std::string overview(const Comparison& comparison) {
                     with_thousands(problem.facts.at("elements").get<int>()),
                     number(problem.optimum, "%.10g")});
     for (const Goal& goal : chief_goals(comparison.options.limits))
-      rows.back().push_back(race_cell(race(goal, problem, comparison.options.limits)));
+      rows.back().push_back(benchmark_cell(benchmark_goal(goal, problem, comparison.options.limits)));
   }
   return paragraph("Where " + default_method() +
                    " is first: how many times as long the best rival takes. Elsewhere: who is first, and how "
@@ -110,7 +110,7 @@ std::string range_cell(const Spread& spread) {
 std::vector<std::string> rival_row(const ProblemResult& problem, const Limits& limits) {
   std::vector<std::string> row{"best rival over " + default_method()};
   for (const Goal& goal : all_goals(limits)) {
-    const Race result = race(goal, problem, limits);
+    const GoalBenchmark result = benchmark_goal(goal, problem, limits);
     row.push_back(number(result.rival_factor(), "%.2f ") + result.best_rival);
   }
   return row;
@@ -197,8 +197,8 @@ std::string phase_table(const ProblemResult& problem) {
 std::string failures(const ProblemResult& problem) {
   Rows rows;
   for (const Entry& entry : problem.entries)
-    if (!entry.unsuited.empty())
-      rows.push_back({std::string(entry.info.name), "not run: unsuited", entry.unsuited});
+    if (!entry.why_not_applicable.empty())
+      rows.push_back({std::string(entry.info.name), "not run: not applicable", entry.why_not_applicable});
   for (const Shortfall& shortfall : shortfalls(problem))
     rows.push_back({shortfall.method, in_words(shortfall.status), shortfall.message});
   if (rows.empty()) return paragraph("Every method converged.");

@@ -72,7 +72,7 @@ Cells method_cells(const ProblemResult& problem, const Entry& entry, const Limit
   Cells cells{{"problem", problem.name},
               {"method", entry.info.name},
               {"family", baselines::family_name(entry.info.family)},
-              {"status", entry.unsuited.empty() ? entry.status() : "unsuited"},
+              {"status", entry.why_not_applicable.empty() ? entry.status() : "not_applicable"},
               {"iterations", known(summary, "iterations")},
               {"factorizations", known(summary, "factorizations")},
               {"energy", finite(energy)},
@@ -83,9 +83,9 @@ Cells method_cells(const ProblemResult& problem, const Entry& entry, const Limit
   for (const Goal& goal : all_goals(limits))
     add_spread(column_of(goal), time_to(goal, problem, entry, limits), cells);
   add_spread("peak_megabytes", peak_megabytes(entry), cells);
-  cells.emplace_back("message", !entry.unsuited.empty() ? entry.unsuited
-                                : run != nullptr        ? run->message
-                                                        : "");
+  cells.emplace_back("message", !entry.why_not_applicable.empty() ? entry.why_not_applicable
+                                : run != nullptr                  ? run->message
+                                                                  : "");
   return cells;
 }
 
@@ -118,15 +118,15 @@ std::string csv_table(const std::vector<Cells>& rows) {
   return text;
 }
 
-Json race_json(const Race& race) {
-  return {{"goal", race.goal.name()},
-          {"first", race.first},
-          {"first_seconds", finite(race.first_seconds)},
-          {"default_is_first", race.default_is_first()},
-          {"default_seconds", finite(race.default_seconds)},
-          {"best_rival", race.best_rival},
-          {"best_rival_seconds", finite(race.rival_seconds)},
-          {"best_rival_over_default", finite(race.rival_factor())}};
+Json benchmark_json(const GoalBenchmark& benchmark) {
+  return {{"goal", benchmark.goal.name()},
+          {"first", benchmark.first},
+          {"first_seconds", finite(benchmark.first_seconds)},
+          {"default_is_first", benchmark.default_is_first()},
+          {"default_seconds", finite(benchmark.default_seconds)},
+          {"best_rival", benchmark.best_rival},
+          {"best_rival_seconds", finite(benchmark.rival_seconds)},
+          {"best_rival_over_default", finite(benchmark.rival_factor())}};
 }
 
 Json method_json(const ProblemResult& problem, const Entry& entry, const Limits& limits) {
@@ -150,12 +150,12 @@ Json problem_json(const ProblemResult& problem, const Limits& limits) {
             {"optimum_folder", problem.optimum_folder},
             {"optimum_polished", problem.polished},
             {"other_minima", Json::array()},
-            {"races", Json::array()},
+            {"benchmarks", Json::array()},
             {"methods", Json::array()}};
   for (const OtherMinimum& other : problem.elsewhere)
     json["other_minima"].push_back({{"method", other.method}, {"energy", other.energy}});
   for (const Goal& goal : chief_goals(limits))
-    json["races"].push_back(race_json(race(goal, problem, limits)));
+    json["benchmarks"].push_back(benchmark_json(benchmark_goal(goal, problem, limits)));
   for (const Entry& entry : problem.entries) json["methods"].push_back(method_json(problem, entry, limits));
   return json;
 }

@@ -16,11 +16,11 @@ std::string seconds_text(double seconds) {
 }
 
 // Where the default is first.
-std::string lead(const Race& race) {
-  std::string text = race.first + " is first, after " + seconds_text(race.first_seconds);
-  if (race.best_rival.empty()) return text + "; no rival gets there";
-  return text + "; the best rival, " + race.best_rival + ", takes " + seconds_text(race.rival_seconds) +
-         formatted(", %.2f times as long", race.rival_factor());
+std::string lead(const GoalBenchmark& benchmark) {
+  std::string text = benchmark.first + " is first, after " + seconds_text(benchmark.first_seconds);
+  if (benchmark.best_rival.empty()) return text + "; no rival gets there";
+  return text + "; the best rival, " + benchmark.best_rival + ", takes " +
+         seconds_text(benchmark.rival_seconds) + formatted(", %.2f times as long", benchmark.rival_factor());
 }
 
 bool ends_elsewhere(const ProblemResult& problem, std::string_view method) {
@@ -38,17 +38,18 @@ std::string why_not_there(const ProblemResult& problem) {
          (ends_elsewhere(problem, name) ? " ends at another minimum" : " ended at its tolerance before");
 }
 
-std::string lag(const ProblemResult& problem, const Race& race) {
-  const std::string text = race.first + " is first, after " + seconds_text(race.first_seconds) + "; ";
-  if (std::isinf(race.default_seconds)) return text + why_not_there(problem);
-  return text + default_method() + " takes " + seconds_text(race.default_seconds) +
-         formatted(", %.2f times as long", race.factor());
+std::string lag(const ProblemResult& problem, const GoalBenchmark& benchmark) {
+  const std::string text =
+      benchmark.first + " is first, after " + seconds_text(benchmark.first_seconds) + "; ";
+  if (std::isinf(benchmark.default_seconds)) return text + why_not_there(problem);
+  return text + default_method() + " takes " + seconds_text(benchmark.default_seconds) +
+         formatted(", %.2f times as long", benchmark.factor());
 }
 
-std::string verdict(const ProblemResult& problem, const Race& race, const Limits& limits) {
-  const std::string goal = goal_text(race.goal, limits) + ": ";
-  if (race.first.empty()) return goal + "nobody gets there; " + why_not_there(problem);
-  return goal + (race.default_is_first() ? lead(race) : lag(problem, race));
+std::string verdict(const ProblemResult& problem, const GoalBenchmark& benchmark, const Limits& limits) {
+  const std::string goal = goal_text(benchmark.goal, limits) + ": ";
+  if (benchmark.first.empty()) return goal + "nobody gets there; " + why_not_there(problem);
+  return goal + (benchmark.default_is_first() ? lead(benchmark) : lag(problem, benchmark));
 }
 
 int ended_early(const ProblemResult& problem) {
@@ -79,7 +80,7 @@ std::string goal_text(const Goal& goal, const Limits& limits) {
 std::vector<std::string> verdicts(const ProblemResult& problem, const Limits& limits) {
   std::vector<std::string> lines;
   for (const Goal& goal : chief_goals(limits))
-    lines.push_back(verdict(problem, race(goal, problem, limits), limits));
+    lines.push_back(verdict(problem, benchmark_goal(goal, problem, limits), limits));
   return lines;
 }
 

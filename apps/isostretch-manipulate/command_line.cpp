@@ -96,7 +96,7 @@ void CommandLine::declare_rivals(CLI::App& cli) {
       ->type_name("NAME");
   auto* compare = cli.add_option("--compare", compare_,
                                  "Run many solvers on the last frame and compare their times and results: "
-                                 "all, convex, nearby, or "
+                                 "all, convex, alternative, or "
                                  "names with commas")
                       ->type_name("NAMES");
   for (const char* flag : {"--rival", "--method", "--penalty", "--relinearize", "--check", "--preview"})

@@ -24,9 +24,9 @@ namespace fs = std::filesystem;
 constexpr double reference_gap = 1e-9, loose_gap = 1e-8;
 constexpr int reference_iterations = 100;
 
-class Match {
+class Benchmark {
  public:
-  Match(const CommandLine& command_line, const CommonOptions& common)
+  Benchmark(const CommandLine& command_line, const CommonOptions& common)
       : command_line_(command_line),
         common_(common),
         options_(command_line.options()),
@@ -58,8 +58,8 @@ class Match {
     find_optimum(comparison);
     for (std::size_t i = 0; i < chosen_.size() && !interrupted(); ++i) {
       show_progress(formatted("solver %zu of %zu  ", i + 1, chosen_.size()) + std::string(chosen_[i].name));
-      comparison.contestants.push_back(contest(chosen_[i]));
-      report(comparison, comparison.contestants.back());
+      comparison.candidates.push_back(contest(chosen_[i]));
+      report(comparison, comparison.candidates.back());
     }
     clear_progress();
     write(comparison, folder);
@@ -93,14 +93,14 @@ class Match {
     absolute(photo.has("file") ? photo["file"] : photo);
   }
 
-  // "all", "convex", "nearby" or names with commas.
+  // "all", "convex", "alternative" or names with commas.
   void choose() {
     const std::vector<baselines::SolverInfo> all = baselines::solvers();
     for (const std::string& word : split(options_.compare, ',')) {
       const std::size_t before = chosen_.size();
       for (const baselines::SolverInfo& info : all)
         if (word == "all" || word == info.name ||
-            word == (info.kind == baselines::Kind::convex ? "convex" : "nearby"))
+            word == (info.kind == baselines::Kind::convex ? "convex" : "alternative"))
           if (std::none_of(chosen_.begin(), chosen_.end(),
                            [&](const auto& c) { return c.name == info.name; }))
             chosen_.push_back(info);
@@ -110,37 +110,37 @@ class Match {
       std::string names;
       for (const baselines::SolverInfo& info : all) names.append(", ").append(info.name);
       throw Error(ErrorKind::misuse,
-                  "--compare: there is no solver '" + word + "'; there are all, convex, nearby" + names);
+                  "--compare: there is no solver '" + word + "'; there are all, convex, alternative" + names);
     }
   }
 
-  Contestant contest(const baselines::SolverInfo& info) const {
-    std::vector<Contestant> tries;
+  Candidate contest(const baselines::SolverInfo& info) const {
+    std::vector<Candidate> tries;
     do {
       const fs::path folder = run_folder(info, static_cast<int>(tries.size()));
-      tries.push_back(runs_.contestant(
+      tries.push_back(runs_.candidate(
           info, {std::string(info.name), gap_, options_.time_limit, options_.memory_limit, 0, folder}));
     } while (static_cast<int>(tries.size()) < options_.repetitions && !interrupted());
     keep_most_frequent_outcome(tries);
     std::sort(tries.begin(), tries.end(),
-              [](const Contestant& x, const Contestant& y) { return x.seconds < y.seconds; });
+              [](const Candidate& x, const Candidate& y) { return x.seconds < y.seconds; });
     const double least = tries.front().seconds, most = tries.back().seconds;
-    Contestant median = std::move(tries[(tries.size() - 1) / 2]);
+    Candidate median = std::move(tries[(tries.size() - 1) / 2]);
     median.least_seconds = least;
     median.most_seconds = most;
     return median;
   }
 
   // Times of a run that crashed say nothing about those that did not.
-  static void keep_most_frequent_outcome(std::vector<Contestant>& tries) {
+  static void keep_most_frequent_outcome(std::vector<Candidate>& tries) {
     const auto count = [&](const std::string& status) {
       return std::count_if(tries.begin(), tries.end(),
-                           [&](const Contestant& c) { return c.status == status; });
+                           [&](const Candidate& c) { return c.status == status; });
     };
     std::string best = tries.front().status;
-    for (const Contestant& c : tries)
+    for (const Candidate& c : tries)
       if (count(c.status) > count(best)) best = c.status;
-    std::erase_if(tries, [&](const Contestant& c) { return c.status != best; });
+    std::erase_if(tries, [&](const Candidate& c) { return c.status != best; });
   }
 
   fs::path run_folder(const baselines::SolverInfo& info, int repetition) const {
@@ -155,7 +155,7 @@ class Match {
     const auto all = baselines::solvers();
     const auto info =
         std::find_if(all.begin(), all.end(), [&](const auto& i) { return i.name == run.solver; });
-    const Contestant best = runs_.contestant(*info, run);
+    const Candidate best = runs_.candidate(*info, run);
     if (interrupted())
       throw Error(ErrorKind::stopped,
                   "interrupted (Ctrl-C) before the optimum was known; the same command goes on");
@@ -173,7 +173,7 @@ class Match {
       warn(formatted("the optimum is known to a share of %.1e only (", gap) + best.message + ")");
   }
 
-  static void report(const Comparison& comparison, const Contestant& c) {
+  static void report(const Comparison& comparison, const Candidate& c) {
     std::string text = std::string(c.info.name) + ": " + c.status + formatted(", %.3g s", c.seconds);
     if (c.has_positions()) {
       if (c.is_convex() && std::isfinite(comparison.optimum))
@@ -198,7 +198,7 @@ class Match {
   }
 
   ExitCode conclude(const Comparison& comparison, const OutputFolder& folder) const {
-    const std::size_t done = comparison.contestants.size();
+    const std::size_t done = comparison.candidates.size();
     const bool whole = done == chosen_.size();
     return app::conclude(formatted("%zu of %zu solvers compared", done, chosen_.size()) +
                              (whole ? "" : ", interrupted (Ctrl-C); the same command goes on"),
@@ -222,7 +222,7 @@ class Match {
 }  // namespace
 
 ExitCode compare(const CommandLine& command_line, const CommonOptions& common) {
-  return Match(command_line, common).run();
+  return Benchmark(command_line, common).run();
 }
 
 }  // namespace isostretch::app::manipulate

@@ -24,17 +24,17 @@ double number(const Json& object, const char* key) {
   return object.at(key).get<double>();
 }
 
-double phase(const Contestant& c, const char* name) {
+double phase(const Candidate& c, const char* name) {
   return c.frame.is_object() && c.frame.contains("solver_seconds") ? number(c.frame["solver_seconds"], name)
                                                                    : unknown;
 }
 
-double error_of(const Comparison& comparison, const Contestant& c) {
+double error_of(const Comparison& comparison, const Candidate& c) {
   return c.is_convex() && c.has_positions() ? relative_error(comparison, number(c.frame, "energy")) : unknown;
 }
 
 // Of its process, or of the program that this one ran.
-double own_peak(const Contestant& c) {
+double own_peak(const Candidate& c) {
   const double peak = std::max(c.peak_megabytes, std::max(0.0, number(c.frame, "peak_megabytes")));
   return peak > 0 ? peak : unknown;
 }
@@ -43,12 +43,12 @@ double own_peak(const Contestant& c) {
 struct Quantity {
   const char* name;
   const char* pattern;
-  double (*of)(const Comparison&, const Contestant&);
+  double (*of)(const Comparison&, const Candidate&);
 };
 
 const std::vector<Quantity>& quantities() {
   using C = const Comparison&;
-  using S = const Contestant&;
+  using S = const Candidate&;
   static const std::vector<Quantity> all{
       {"iterations", "%.0f", [](C, S s) { return number(s.frame, "iterations"); }},
       {"linear_solves", "%.0f",
@@ -72,8 +72,8 @@ const std::vector<Quantity>& quantities() {
   return all;
 }
 
-const char* kind_name(const Contestant& c) {
-  return c.is_convex() ? "convex" : "nearby";
+const char* kind_name(const Candidate& c) {
+  return c.is_convex() ? "convex" : "alternative";
 }
 
 using figures::ComparisonPanel;
@@ -84,7 +84,7 @@ template <class Value>
 ComparisonPanel panel(const Comparison& comparison, std::string title, bool against_seconds, bool logarithmic,
                       const Value& value) {
   ComparisonPanel result{std::move(title), against_seconds ? "seconds" : "iterations", true, logarithmic, {}};
-  for (const Contestant& c : comparison.contestants) {
+  for (const Candidate& c : comparison.candidates) {
     auto& curve = result.curves.emplace_back();
     for (const TraceRow& row : c.trace)
       curve.push_back({against_seconds ? row.seconds : std::max(0.5, double(row.iteration)), value(c, row)});
@@ -96,7 +96,7 @@ std::string known(double value, const char* pattern) {
   return std::isfinite(value) ? formatted(pattern, value) : "unknown";
 }
 
-std::string cell(const Quantity& quantity, const Comparison& comparison, const Contestant& c) {
+std::string cell(const Quantity& quantity, const Comparison& comparison, const Candidate& c) {
   const double value = quantity.of(comparison, c);
   return std::isfinite(value) ? formatted(quantity.pattern, value) : "–";
 }
@@ -113,7 +113,7 @@ std::string comparison_table(const Comparison& comparison) {
   std::string text = "solver,kind,status";
   for (const Quantity& quantity : quantities()) text.append(1, ',').append(quantity.name);
   text += '\n';
-  for (const Contestant& c : comparison.contestants) {
+  for (const Candidate& c : comparison.candidates) {
     text.append(c.info.name).append(1, ',').append(kind_name(c)).append(1, ',').append(c.status);
     for (const Quantity& quantity : quantities()) {
       const double value = quantity.of(comparison, c);
@@ -126,7 +126,7 @@ std::string comparison_table(const Comparison& comparison) {
 
 Json comparison_json(const Comparison& comparison) {
   Json solvers = Json::array();
-  for (const Contestant& c : comparison.contestants) {
+  for (const Candidate& c : comparison.candidates) {
     Json json{{"solver", c.info.name},
               {"title", c.info.title},
               {"source", c.info.source},
@@ -152,20 +152,20 @@ Json comparison_json(const Comparison& comparison) {
 
 std::string draw_comparison(const Comparison& comparison) {
   std::vector<std::string> names;
-  for (const Contestant& c : comparison.contestants)
+  for (const Candidate& c : comparison.candidates)
     names.push_back(std::string(c.info.name) + (c.trace.empty() ? " (" + c.status + ")" : ""));
   std::vector<ComparisonPanel> panels;
   for (const bool against_seconds : {true, false}) {
     panels.push_back(panel(comparison, "Relative error of the energy", against_seconds, true,
-                           [&](const Contestant& c, const TraceRow& row) {
+                           [&](const Candidate& c, const TraceRow& row) {
                              return c.is_convex() ? relative_error(comparison, row.energy) : unknown;
                            }));
     panels.push_back(panel(comparison, "How far the worst eigenvalue of S is below 0", against_seconds, true,
-                           [](const Contestant& c, const TraceRow& row) {
+                           [](const Candidate& c, const TraceRow& row) {
                              return c.is_convex() ? std::max(0.0, -row.min_eigenvalue) : unknown;
                            }));
     panels.push_back(panel(comparison, "Inverted elements", against_seconds, false,
-                           [](const Contestant&, const TraceRow& row) { return double(row.inverted); }));
+                           [](const Candidate&, const TraceRow& row) { return double(row.inverted); }));
   }
   return figures::draw_comparison(comparison.name + ": solvers of the inversion-free problem",
                                   with_thousands(comparison.mesh.at("elements").get<int>()) +
@@ -180,7 +180,7 @@ std::string comparison_page(const Comparison& comparison, const std::string& plo
     columns.push_back({in_words(quantity.name), true});
   }
   std::vector<std::vector<std::string>> rows, notes;
-  for (const Contestant& c : comparison.contestants) {
+  for (const Candidate& c : comparison.candidates) {
     rows.push_back({std::string(c.info.name), kind_name(c), in_words(c.status)});
     for (const Quantity& quantity : quantities()) rows.back().push_back(cell(quantity, comparison, c));
     notes.push_back(

@@ -20,7 +20,7 @@ struct TraceRow {
 };
 
 // What one solver made of the instance, as its own process reported it.
-struct Contestant {
+struct Candidate {
   baselines::SolverInfo info;
   std::string status, message;
   Json frame;  // of its summary.json; null where it left none
@@ -41,7 +41,7 @@ struct Comparison {
   // Of the convex problem; NaN where it is not known.
   double optimum = std::numeric_limits<double>::quiet_NaN(),
          lower_bound = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Contestant> contestants;
+  std::vector<Candidate> candidates;
   int repetitions = 1;
   double time_limit = 0, memory_limit = 0;
 };

@@ -17,7 +17,9 @@ int main(int argc, char** argv) {
                    {"--repeat", "--repetitions"},
                    {"--gap", "--gap-tolerance"},
                    {"--weights", "--element-weights"},
-                   {"--absolute", "--length-unit=mesh"}},
+                   {"--absolute", "--length-unit=mesh"},
+                   {"--method skinning", "--method=unconstrained"},
+                   {"--compare nearby", "--compare=alternative"}},
        .declare = [&](CLI::App& cli) { command_line.declare(cli); },
        .body =
            [&](const CommonOptions& common) {

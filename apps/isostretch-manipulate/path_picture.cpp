@@ -1,4 +1,4 @@
-// The way from ex-rotated skinning to the result: a row of iterates, and how they converge.
+// The way from the unconstrained minimiser to the result: a row of iterates, and how they converge.
 #include "common/rig_figure.hpp"
 #include "report.hpp"
 
@@ -39,17 +39,18 @@ std::string gap_text(const sdp_penalty::Iteration& row) {
 
 figures::DeformationFigure path_figure(const Result& r, const Strain& strain,
                                        const std::vector<const deformation::Iterate*>& iterates) {
-  figures::DeformationFigure figure{.title = r.name + formatted(", frame %d: the way there", r.last.frame),
-                                    .subtitle =
-                                        "Iterates from ex-rotated skinning to the result; inverted elements "
-                                        "blue",
-                                    .states = {},
-                                    .triangles = r.body.surface.mesh.triangles,
-                                    .element = r.body.surface.element,
-                                    .volumes = r.body.volumes(),
-                                    .lines = figure_lines(r.handle_set, r.body),
-                                    .flat = r.body.dim == 2,
-                                    .up = r.scene.up};
+  figures::DeformationFigure figure{
+      .title = r.name + formatted(", frame %d: the way there", r.last.frame),
+      .subtitle =
+          "Iterates from the unconstrained minimiser to the result; inverted elements "
+          "blue",
+      .states = {},
+      .triangles = r.body.surface.mesh.triangles,
+      .element = r.body.surface.element,
+      .volumes = r.body.volumes(),
+      .lines = figure_lines(r.handle_set, r.body),
+      .flat = r.body.dim == 2,
+      .up = r.scene.up};
   for (const deformation::Iterate* iterate : iterates) {
     const StrainField field = strain.at(iterate->positions);
     figure.states.push_back(

@@ -38,7 +38,7 @@ std::string draw_states(const Result& r, const Strain& strain) {
                    gap_text(f) + formatted("   ·   min det F %.2g", after.smallest_det()) +
                    "   ·   lines: where handles end, rings: targets",
        .states = {state("at rest", r.body.rest_positions(), rest, rest_markers(r.handle_set, r.body, f.time)),
-                  state("skinning: " + inverted_text(before), f.before, before, {}),
+                  state("unconstrained: " + inverted_text(before), f.before, before, {}),
                   state("result: " + inverted_text(after), f.positions, after,
                         target_markers(r.handle_set, r.body, f.time, f.positions))},
        .triangles = r.body.surface.mesh.triangles,

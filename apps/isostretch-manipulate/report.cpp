@@ -37,12 +37,12 @@ Json rival_json(const std::string& name, const baselines::Result& r) {
             {"solving", r.seconds.solving},
             {"reading", r.seconds.reading},
             {"total", r.seconds.total()}}},
-          {"suspects", Json::array()}};
+          {"infeasible_elements", Json::array()}};
 }
 
 Json solve_json(const SolidModel& body, const sdp_penalty::Summary& s) {
-  Json suspects = Json::array();
-  for (const int element : s.suspects) suspects.push_back(body.element_text(element));
+  Json infeasible_elements = Json::array();
+  for (const int element : s.infeasible_elements) infeasible_elements.push_back(body.element_text(element));
   Json json{{"status", sdp_penalty::status_name(s.status)},
             {"certified", s.status == sdp_penalty::Status::optimal},
             {"message", s.message},
@@ -53,8 +53,8 @@ Json solve_json(const SolidModel& body, const sdp_penalty::Summary& s) {
             {"target_energy", s.target_energy},
             {"lower_bound", s.lower_bound},
             {"gap", s.gap},
-            {"suspects", suspects}};
-  if (s.status == sdp_penalty::Status::inadmissible) {
+            {"infeasible_elements", infeasible_elements}};
+  if (s.status == sdp_penalty::Status::infeasible) {
     json["unreachable_eigenvalue"] = s.unreachable_eigenvalue;
     json["extent"] = s.extent;
   }
@@ -66,7 +66,7 @@ Json rounds_json(const std::vector<sdp_penalty::RelinearizeRound>& rounds) {
   for (const sdp_penalty::RelinearizeRound& round : rounds)
     json.push_back({{"energy", round.energy},
                     {"inverted", round.inverted},
-                    {"soft", round.soft},
+                    {"penalty_solution", round.penalty_solution},
                     {"linear_solves", round.linear_solves},
                     {"seconds", round.seconds}});
   return json;
@@ -128,7 +128,7 @@ int inverted(const Result& r) {
 
 int failed(const Result& r) {
   int sum = 0;
-  for (const char* status : {"failed", "inadmissible", "claims_infeasible", "unsuited", "unavailable",
+  for (const char* status : {"failed", "infeasible", "claims_infeasible", "not_applicable", "unavailable",
                              "memory_limit", "crashed", "unreadable"})
     sum += count(r.frames, status);
   return sum;
@@ -203,7 +203,8 @@ std::string verdict(const Result& r) {
       [](const Json& f) { return is_solved(f) && !f["reached"].get<bool>() && f["status"] != "callback"; },
       [&](const Json& f) {
         std::string text = f["status"].get<std::string>() + ": " + f["message"].get<std::string>();
-        if (!f["suspects"].empty()) text += "; look at " + f["suspects"][0].get<std::string>();
+        if (!f["infeasible_elements"].empty())
+          text += "; look at " + f["infeasible_elements"][0].get<std::string>();
         return (r.scene.rival.empty() ? "is not certified (" : "is not solved (") + text + ")";
       });
   name_first(

@@ -56,8 +56,9 @@ std::string fact_table(const Result& r, const Json& summary) {
 std::string pictures(const std::string& states, const std::string& path) {
   if (states.empty()) return {};
   return html::figure(
-             states, "The body at rest, by ex-rotated skinning, and the result",
-             "At rest, by ex-rotated skinning (without constraints), and the result. Pale where lengths "
+             states, "The body at rest, by the unconstrained minimiser, and the result",
+             "At rest, by the unconstrained minimiser (without constraints), and the result. Pale where "
+             "lengths "
              "are kept, dark where the worst direction is stretched or shrunk most; inverted elements "
              "are blue; lines: where handles end; arrows: where they go; rings: their "
              "targets.") +

@@ -25,7 +25,7 @@ std::vector<TraceRow> trace_of(const std::filesystem::path& file) {
   return rows;
 }
 
-void read_results(const Run& run, const ProgramResult& result, Contestant& c) {
+void read_results(const Run& run, const ProgramResult& result, Candidate& c) {
   c.peak_megabytes = result.process.peak_megabytes;
   c.seconds = result.process.seconds;
   c.status = result.status;
@@ -65,8 +65,8 @@ std::vector<std::string> SolverRuns::arguments(const Run& run) const {
   return words;
 }
 
-Contestant SolverRuns::contestant(const baselines::SolverInfo& info, const Run& run) const {
-  Contestant result;
+Candidate SolverRuns::candidate(const baselines::SolverInfo& info, const Run& run) const {
+  Candidate result;
   result.info = info;
   if (!info.available()) {
     result.status = baselines::status_name(baselines::Status::unavailable);

@@ -28,7 +28,7 @@ struct SolverRuns {
   int threads = 0;  // 0: as the program likes
 
   // What came of it, made now or, of the same, before.
-  Contestant contestant(const baselines::SolverInfo& info, const Run& run) const;
+  Candidate candidate(const baselines::SolverInfo& info, const Run& run) const;
 
  private:
   std::vector<std::string> arguments(const Run& run) const;

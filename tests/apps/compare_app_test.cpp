@@ -105,7 +105,7 @@ TEST_CASE("compare: methods on a face and a bar, with one optimum each, tables, 
     const double optimum = problem["optimum"];
     CHECK(problem["optimum_polished"] == true);
     CHECK(problem["other_minima"].empty());
-    CHECK(problem["races"].size() == 4);
+    CHECK(problem["benchmarks"].size() == 4);
     REQUIRE(problem["methods"].size() == 3);
     for (const auto& method : problem["methods"]) {
       CHECK(method["status"] == "converged_gradient");
@@ -180,7 +180,9 @@ TEST_CASE("compare: a path that JSON cannot hold is refused by name") {
                 {"must be UTF-8", "m\xEF\xBF\xBD.obj"});
 }
 
-TEST_CASE("compare: a mesh and energies from the command line; unsuited methods and failures are named") {
+TEST_CASE(
+    "compare: a mesh and energies from the command line; methods that are not applicable and failures are "
+    "named") {
   const Scratch scratch;
   mesh::write_obj(scratch.path("my face.obj"), mesh::procedural_face(6));
   const Outcome run =
@@ -202,13 +204,13 @@ TEST_CASE("compare: a mesh and energies from the command line; unsuited methods 
         assembly::elements_from(mesh::flat_elements(surface)), energies::make_energy(energy), {}};
     for (const auto& info : baselines::methods()) {
       const auto method = method_of(problem, std::string(info.name));
-      const std::string reason = baselines::unsuited(info.name, distortion);
+      const std::string reason = baselines::why_not_applicable(info.name, distortion);
       CAPTURE(info.name);
-      CHECK((method["status"] == "unsuited") == !reason.empty());
+      CHECK((method["status"] == "not_applicable") == !reason.empty());
       if (reason.empty()) continue;
       CHECK(method["message"] == reason);
       CHECK(method["runs"].empty());
-      CHECK(page.find("not run: unsuited") != std::string::npos);
+      CHECK(page.find("not run: not applicable") != std::string::npos);
     }
   }
 }

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-nlohmann::json contestant(const nlohmann::json& comparison, const std::string& solver) {
+nlohmann::json candidate(const nlohmann::json& comparison, const std::string& solver) {
   for (const auto& entry : comparison["solvers"])
     if (entry["solver"] == solver) return entry;
   FAIL("there is no ", solver);
@@ -72,7 +72,7 @@ TEST_CASE("solver: one that is none for the instance fails the frame by its own 
       {write_scene(scratch, squashed_bar()), "--rival", "lifted_content", "-o", scratch.path("out")});
   CHECK(run.code == 6);
   CHECK(run.err.find("it needs a target at every node of the boundary") != std::string::npos);
-  CHECK(read_json(scratch.path("out/summary.json"))["frames"][1]["status"] == "unsuited");
+  CHECK(read_json(scratch.path("out/summary.json"))["frames"][1]["status"] == "not_applicable");
 }
 
 #if !defined(__SANITIZE_ADDRESS__)  // which takes more address space than there is
@@ -105,7 +105,7 @@ TEST_CASE("solver: what does not go with it, and names there are not") {
   run =
       manipulate({write_scene(scratch, swirl(90)), "--compare", "penalty,mosek", "-o", scratch.path("out")});
   CHECK(run.code == 2);
-  CHECK(run.err.find("there is no solver 'mosek'; there are all, convex, nearby, interior_point") !=
+  CHECK(run.err.find("there is no solver 'mosek'; there are all, convex, alternative, interior_point") !=
         std::string::npos);
   CHECK_FALSE(std::filesystem::exists(scratch.path("out")));
 }
@@ -142,7 +142,7 @@ TEST_CASE("compare: every solver in a process of its own, one optimum, a table, 
   const double optimum = comparison["optimum"];
   CHECK(comparison["lower_bound"].get<double>() <= optimum);
   for (const char* solver : {"interior_point", "penalty"}) {
-    const auto entry = contestant(comparison, solver);
+    const auto entry = candidate(comparison, solver);
     CHECK(entry["status"] == "converged");
     CHECK(entry["kind"] == "convex");
     CHECK(entry["relative_error"].get<double>() < 2e-6);
@@ -151,10 +151,10 @@ TEST_CASE("compare: every solver in a process of its own, one optimum, a table, 
     CHECK(entry["least_seconds"].get<double>() <= entry["seconds"].get<double>());
     CHECK(entry["seconds"].get<double>() <= entry["most_seconds"].get<double>());
   }
-  const auto nearby = contestant(comparison, "foldover_free");
-  CHECK(nearby["kind"] == "nearby");
-  CHECK(nearby["relative_error"].is_null());
-  CHECK(nearby["inverted"] == 0);
+  const auto other = candidate(comparison, "foldover_free");
+  CHECK(other["kind"] == "alternative");
+  CHECK(other["relative_error"].is_null());
+  CHECK(other["inverted"] == 0);
   // What is there is not made again, and what depends on something else is.
   const auto written = [&] {
     return std::filesystem::last_write_time(scratch.path("out/runs/penalty/summary.json"));
@@ -186,8 +186,8 @@ TEST_CASE("compare: Ctrl-C during solvers ends the run there is, and the same co
   CHECK(run.code == 5);
   CHECK(run.err.find("the same command goes on") != std::string::npos);
   const auto comparison = read_json(scratch.path("out/comparison.json"));
-  CHECK(contestant(comparison, "interior_point")["status"] == "converged");
-  CHECK(contestant(comparison, "penalty_published")["status"] == "callback");
+  CHECK(candidate(comparison, "interior_point")["status"] == "converged");
+  CHECK(candidate(comparison, "penalty_published")["status"] == "callback");
   CHECK(comparison["solvers"].size() == 2);
   std::vector<std::string> rest = command;
   rest.insert(rest.end(), {"--time-limit", "1"});
@@ -207,8 +207,8 @@ TEST_CASE("compare: without a feasible position there is no optimum, and no erro
   CHECK(run.err.find("the optimum is not known (claims_infeasible") != std::string::npos);
   const auto comparison = read_json(scratch.path("out/comparison.json"));
   CHECK(comparison["optimum"].is_null());
-  CHECK(contestant(comparison, "interior_point")["status"] == "claims_infeasible");
-  CHECK(contestant(comparison, "interior_point")["relative_error"].is_null());
+  CHECK(candidate(comparison, "interior_point")["status"] == "claims_infeasible");
+  CHECK(candidate(comparison, "interior_point")["relative_error"].is_null());
 }
 
 TEST_CASE("compare: flags that choose a method are refused beside it") {
@@ -227,7 +227,7 @@ TEST_CASE("compare: a run that hits its limit is shown as that") {
       manipulate({write_scene(scratch, swirl(180, 40)), "--compare", "interior_point,penalty_published",
                   "--time-limit", "0.05", "--no-picture", "-o", scratch.path("out")});
   REQUIRE_MESSAGE(run.code == 0, run.err);
-  const auto entry = contestant(read_json(scratch.path("out/comparison.json")), "penalty_published");
+  const auto entry = candidate(read_json(scratch.path("out/comparison.json")), "penalty_published");
   CHECK(entry["status"] == "time_limit");
 }
 
@@ -252,7 +252,7 @@ TEST_CASE("compare: a mesh that has changed behind its name is another one") {
   REQUIRE_MESSAGE(run.code == 0, run.err);
   const auto comparison = read_json(scratch.path("out/comparison.json"));
   CHECK(comparison["optimum"].get<double>() != before);
-  CHECK(contestant(comparison, "penalty")["relative_error"].get<double>() < 2e-6);
+  CHECK(candidate(comparison, "penalty")["relative_error"].get<double>() < 2e-6);
 }
 
 TEST_CASE("compare: at rest the optimum is 0, and so are the errors") {
@@ -262,7 +262,7 @@ TEST_CASE("compare: at rest the optimum is 0, and so are the errors") {
   REQUIRE_MESSAGE(run.code == 0, run.err);
   const auto comparison = read_json(scratch.path("out/comparison.json"));
   for (const char* solver : {"interior_point", "penalty"})
-    CHECK(contestant(comparison, solver)["relative_error"].get<double>() < 1e-6);
+    CHECK(candidate(comparison, solver)["relative_error"].get<double>() < 1e-6);
 }
 
 TEST_CASE("compare: results that were cut off are made again") {
@@ -272,5 +272,5 @@ TEST_CASE("compare: results that were cut off are made again") {
   REQUIRE(manipulate(command).code == 0);
   std::ofstream(scratch.path("out/runs/penalty/summary.json")) << "{\"frames\": [";
   REQUIRE(manipulate(command).code == 0);
-  CHECK(contestant(read_json(scratch.path("out/comparison.json")), "penalty")["status"] == "converged");
+  CHECK(candidate(read_json(scratch.path("out/comparison.json")), "penalty")["status"] == "converged");
 }

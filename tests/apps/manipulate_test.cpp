@@ -264,14 +264,15 @@ TEST_CASE("manipulate: stretch is bounded where asked, and rounds of re-linearis
 }
 
 TEST_CASE(
-    "manipulate: what is said of skinning does not depend on rounds, and trouble in rounds loses nothing") {
+    "manipulate: what is said of the unconstrained minimiser does not depend on rounds, and trouble in "
+    "rounds loses nothing") {
   const Scratch scratch;
   const auto plain = solved(scratch, swirl(150));
   const auto rounds = solved(scratch, swirl(150), {"--relinearize", "200"}, "rounds");
   CHECK(rounds["frames"][1]["not_psd_before"] == plain["frames"][1]["not_psd_before"]);
   CHECK(rounds["frames"][1]["not_psd"] == 0);
   CHECK(rounds["frames"][1]["iterations"].get<int>() > plain["frames"][1]["iterations"].get<int>());
-  // Hard handles that cannot be had, with bounded stretch: the soft answer is written.
+  // Hard handles that cannot be had, with bounded stretch: the penalty solution is written.
   Json scene = squashed_bar();
   for (auto& handle : scene["handles"]) handle["hard"] = true;
   scene["largest_stretch"] = 1.5;
@@ -302,10 +303,12 @@ TEST_CASE("manipulate: all penalties of the published method meet at one energy"
   CHECK(energies[2] == Approx(energies[0]).epsilon(2e-6));
 }
 
-TEST_CASE("manipulate: skinning alone leaves inverted elements: exit code 6, and everything is written") {
+TEST_CASE(
+    "manipulate: the unconstrained minimiser alone leaves inverted elements: exit code 6, and everything is "
+    "written") {
   const Scratch scratch;
-  const Outcome run = manipulate(
-      {write_scene(scratch, swirl(180)), "-o", scratch.path("out"), "--method", "skinning", "--no-picture"});
+  const Outcome run = manipulate({write_scene(scratch, swirl(180)), "-o", scratch.path("out"), "--method",
+                                  "unconstrained", "--no-picture"});
   CHECK(run.code == 6);
   CHECK(run.err.find("inverted element") != std::string::npos);
   CHECK(run.err.find("triangle") != std::string::npos);

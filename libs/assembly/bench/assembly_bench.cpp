@@ -63,10 +63,10 @@ void assemble(benchmark::State& state, int dim, int n, const char* name) {
   const assembly::Elements elements = lattice(dim, n);
   assembly::EnergyAssembler assembler(elements, energies::make_energy(name));
   assembly::PatternBuilder builder(elements.node_count);
-  assembler.add_to(builder);
+  assembler.add_stencil(builder);
   const assembly::HessianPattern pattern(assembly::FreeUnknowns(dim, elements.node_count),
                                          std::move(builder));
-  assembler.bind(pattern);
+  assembler.set_pattern(pattern);
   sparse::SymmetricMatrix matrix = pattern.zero_matrix();
   const Eigen::VectorXd x = perturbed(dim, n);
   Eigen::VectorXd gradient(x.size());

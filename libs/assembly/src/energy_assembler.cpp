@@ -129,7 +129,7 @@ void EnergyAssembler::chunk_elements(const Elements& elements) {
     }
 }
 
-void EnergyAssembler::bind(const HessianPattern& pattern) {
+void EnergyAssembler::set_pattern(const HessianPattern& pattern) {
   blocks_.emplace(restriction_, pattern);
 }
 
@@ -309,7 +309,7 @@ int EnergyAssembler::element_not_finite() const {
 }
 
 void EnergyAssembler::add_hessian(double* values) const {
-  if (!blocks_) throw Error("add_hessian() before bind()");
+  if (!blocks_) throw Error("add_hessian() before set_pattern()");
   if (hessian_slots_.empty()) throw Error("add_hessian() before differentiate() with a Hessian");
   blocks_->add_stored(hessian_slots_.data(), values);
 }

@@ -38,7 +38,7 @@ std::vector<double> element_laplacians(const Elements& elements) {
 sparse::SymmetricMatrix laplacian(const Elements& elements, const FreeUnknowns& nodes) {
   const Restriction restriction(elements);
   PatternBuilder builder(elements.node_count);
-  restriction.add_to(builder);
+  restriction.add_stencil(builder);
   const HessianPattern pattern(nodes, std::move(builder));
   sparse::SymmetricMatrix matrix = pattern.zero_matrix();
   matrix.group.clear();  // every unknown is a node

@@ -16,7 +16,7 @@ Restriction::Restriction(std::vector<int> nodes, int nodes_per_element, int node
   for (std::size_t k = 0; k < nodes_.size(); ++k) corner_[next[static_cast<std::size_t>(nodes_[k])]++] = k;
 }
 
-void Restriction::add_to(PatternBuilder& builder) const {
+void Restriction::add_stencil(PatternBuilder& builder) const {
   for (std::size_t e = 0; e < element_count(); ++e) builder.add_clique(nodes(e), nodes_per_element_);
 }
 

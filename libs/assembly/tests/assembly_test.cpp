@@ -72,10 +72,10 @@ Assembled assemble(const Elements& elements, const energies::AnyEnergy& energy, 
                    projection::FilterOptions filter, const std::vector<bool>& pinned = {}) {
   EnergyAssembler assembler(elements, energy);
   assembly::PatternBuilder builder(elements.node_count);
-  assembler.add_to(builder);
+  assembler.add_stencil(builder);
   const assembly::HessianPattern pattern(assembly::FreeUnknowns(elements.dim, elements.node_count, pinned),
                                          std::move(builder));
-  assembler.bind(pattern);
+  assembler.set_pattern(pattern);
   Assembled result;
   result.gradient.setZero(x.size());
   result.value = assembler.differentiate(x.data(), filter, result.gradient.data(), true).value;

@@ -50,7 +50,7 @@ void for_every_point(const Elements& elements, const Body& body) {
 
 assembly::HessianPattern pattern_of(const Restriction& restriction, int dim) {
   assembly::PatternBuilder builder(restriction.node_count());
-  restriction.add_to(builder);
+  restriction.add_stencil(builder);
   return {assembly::FreeUnknowns(dim, restriction.node_count()), std::move(builder)};
 }
 

@@ -131,7 +131,7 @@ Matrix9 rotated_back(const Eigen::Matrix3d& U, const Eigen::Matrix3d& V,
 template <class Rule>
 double in_singular_frame(const Points& points, const energies::AnyEnergy& energy, const Rule& rule) {
   // Derivatives with respect to the singular values, not timed: they cost each method the same.
-  std::vector<invariants::Stretch<3, double>> stretches;
+  std::vector<invariants::PrincipalStretches<3, double>> stretches;
   std::vector<invariants::StretchDerivatives<3, double>> derivatives;
   for (const auto& F : points.F) {
     const auto svd = linalg::signed_svd<3>(F);

@@ -1,7 +1,7 @@
 // Large-scale bounded distortion mappings (Kovalsky, Aigerman, Basri, Lipman 2015) with the constraint of the
-// convex problem for every element's set of matrices: from ex-rotated skinning with all targets held, F is
-// projected on the sets, and the map nearest to that is taken, among the maps on the plane that touches the
-// sets there. One factorization for all. It looks for a feasible map near the start, not for an optimum.
+// convex problem for every element's set of matrices: from the unconstrained minimiser with all targets held,
+// F is projected on the sets, and the map nearest to that is taken, among the maps on the plane that touches
+// the sets there. One factorization for all. It looks for a feasible map near the start, not for an optimum.
 #include "deformation.hpp"
 #include "formulation.hpp"
 #include "nearest_matrix_term.hpp"
@@ -19,7 +19,7 @@ namespace {
 using Phase = Recorder::Phase;
 
 // The sets have this much room to the margin, so that a map that only comes near them is feasible.
-constexpr double room = 1e-3;
+constexpr double interior_slack = 1e-3;
 constexpr int most_iterations = 20'000;
 
 // R (R^T F with the eigenvalues of its symmetric part at least `least`), [element][dim * dim] column by
@@ -71,7 +71,7 @@ class AlternatingProjections {
 
   // The next map; false where x does not move any more.
   bool advance(Vector& x) {
-    const std::vector<double> nearest = projected(problem_, x, problem_.margin + room);
+    const std::vector<double> nearest = projected(problem_, x, problem_.margin + interior_slack);
     // Half the gradient of |F - z|^2 is the adjoint of the normal F - z, weights included.
     const Vector pull = gradient_for(nearest, x), to_nearest = solved(pull);
     const double steepness = 0.5 * pull.dot(to_nearest);  // normal . A d, where the step is -d
@@ -148,7 +148,7 @@ std::vector<Entry> bounded_distortion() {
   return {{{"bounded_distortion",
             "large-scale bounded distortion",
             "Kovalsky et al. 2015",
-            Kind::nearby,
+            Kind::alternative,
             {},
             false},
            run}};

@@ -56,7 +56,12 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
 }  // namespace
 
 std::vector<Entry> determinant_penalty() {
-  return {{{"determinant_penalty", "penalty on det F", "Liu et al. 2016, figure 12", Kind::nearby, {}, false},
+  return {{{"determinant_penalty",
+            "penalty on det F",
+            "Liu et al. 2016, figure 12",
+            Kind::alternative,
+            {},
+            false},
            run}};
 }
 

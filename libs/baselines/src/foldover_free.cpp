@@ -1,5 +1,5 @@
-// Foldover-free maps (Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov 2021), from ex-rotated skinning
-// with all targets held: library atlas has the method.
+// Foldover-free maps (Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov 2021), from the unconstrained
+// minimiser with all targets held: library atlas has the method.
 #include "formulation.hpp"
 #include "registry.hpp"
 
@@ -33,7 +33,8 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
 }  // namespace
 
 std::vector<Entry> foldover_free() {
-  return {{{"foldover_free", "foldover-free maps", "Garanzha et al. 2021", Kind::nearby, {}, false}, run}};
+  return {
+      {{"foldover_free", "foldover-free maps", "Garanzha et al. 2021", Kind::alternative, {}, false}, run}};
 }
 
 }  // namespace isostretch::baselines

@@ -2,7 +2,7 @@
 
 // What formulations of inversion-free manipulation other than the convex problem have in common.
 #include "recorder.hpp"
-#include "skinning.hpp"
+#include "unconstrained.hpp"
 
 #include <isostretch/newton/minimize.hpp>
 #include <isostretch/newton/objective.hpp>

@@ -1,7 +1,7 @@
 #include "ipopt_solvers.hpp"
 
 #include "ipopt_nlp.hpp"
-#include "skinning.hpp"
+#include "unconstrained.hpp"
 
 #include <IpIpoptApplication.hpp>
 
@@ -143,7 +143,7 @@ Vector run_ipopt_feasible(const Instance& instance, const Options& options, Reco
 
 Vector run_ipopt_cone(const Instance& instance, const Options& options, Recorder& recorder) {
   if (instance.dim() != 2) {
-    recorder.end(Status::unsuited, "only matrices of two rows are second-order cones");
+    recorder.end(Status::not_applicable, "only matrices of two rows are second-order cones");
     return {};
   }
   return optimize_energy(instance, ConstraintForm::second_order_cone, skinned(instance.problem), options,

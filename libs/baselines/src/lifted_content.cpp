@@ -61,7 +61,7 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
   const sdp_penalty::Problem& problem = instance.problem;
   const std::vector<int> held = target_nodes(problem), boundary = boundary_nodes(problem.elements);
   if (!std::includes(held.begin(), held.end(), boundary.begin(), boundary.end())) {
-    recorder.end(Status::unsuited, "it needs a target at every node of the boundary");
+    recorder.end(Status::not_applicable, "it needs a target at every node of the boundary");
     return {};
   }
   recorder.begin(Phase::solving);
@@ -85,7 +85,7 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
 }  // namespace
 
 std::vector<Entry> lifted_content() {
-  return {{{"lifted_content", "total lifted content", "Du et al. 2020", Kind::nearby, {}, false}, run}};
+  return {{{"lifted_content", "total lifted content", "Du et al. 2020", Kind::alternative, {}, false}, run}};
 }
 
 }  // namespace isostretch::baselines

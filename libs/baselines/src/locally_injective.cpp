@@ -21,7 +21,8 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
   const sdp_penalty::Problem& problem = instance.problem;
   Vector x = with_hard_targets(problem, instance.rest);
   if (measure(problem, x).inverted > 0) {
-    recorder.end(Status::unsuited, "with its hard targets in place the rest pose is not inversion-free");
+    recorder.end(Status::not_applicable,
+                 "with its hard targets in place the rest pose is not inversion-free");
     return {};
   }
   newton::Objective objective = elastic_objective(problem);
@@ -50,9 +51,13 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
 }  // namespace
 
 std::vector<Entry> locally_injective() {
-  return {
-      {{"locally_injective", "locally injective mappings", "Schueller et al. 2013", Kind::nearby, {}, false},
-       run}};
+  return {{{"locally_injective",
+            "locally injective mappings",
+            "Schueller et al. 2013",
+            Kind::alternative,
+            {},
+            false},
+           run}};
 }
 
 }  // namespace isostretch::baselines

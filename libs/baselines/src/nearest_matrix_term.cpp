@@ -16,11 +16,11 @@ void NearestMatrixTerm::require_fits(int dim, int node_count) const {
                           node_count);
 }
 
-void NearestMatrixTerm::add_to(assembly::PatternBuilder& builder) const {
-  restriction_.add_to(builder);
+void NearestMatrixTerm::add_stencil(assembly::PatternBuilder& builder) const {
+  restriction_.add_stencil(builder);
 }
 
-void NearestMatrixTerm::bind(const assembly::HessianPattern& pattern) {
+void NearestMatrixTerm::set_pattern(const assembly::HessianPattern& pattern) {
   blocks_ = assembly::BlockAssembler(restriction_, pattern);
 }
 

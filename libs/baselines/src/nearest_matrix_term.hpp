@@ -21,8 +21,8 @@ class NearestMatrixTerm final : public newton::Term {
   void set_matrices(std::vector<double> matrices) { matrices_ = std::move(matrices); }
 
   void require_fits(int dim, int node_count) const override;
-  void add_to(assembly::PatternBuilder& builder) const override;
-  void bind(const assembly::HessianPattern& pattern) override;
+  void add_stencil(assembly::PatternBuilder& builder) const override;
+  void set_pattern(const assembly::HessianPattern& pattern) override;
   newton::Evaluation value(const Vector& x) override;
   newton::Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
                                    bool hessian) override;

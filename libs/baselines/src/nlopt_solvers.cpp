@@ -2,7 +2,7 @@
 
 #include "constraint_functions.hpp"
 #include "objective.hpp"
-#include "skinning.hpp"
+#include "unconstrained.hpp"
 
 #include <nlopt.h>
 
@@ -171,10 +171,10 @@ constexpr double constraint_tolerance = 1e-8;
 Vector optimize(const Algorithm& algorithm, const Instance& instance, const Options& options,
                 Recorder& recorder) {
   if (const int elements = instance.problem.element_count(); elements > algorithm.most_elements) {
-    recorder.end(Status::unsuited, std::to_string(elements) + " elements are too many for " + algorithm.name +
-                                       ", whose matrices are dense: beyond " +
-                                       std::to_string(algorithm.most_elements) +
-                                       " it takes more than ten minutes");
+    recorder.end(Status::not_applicable, std::to_string(elements) + " elements are too many for " +
+                                             algorithm.name + ", whose matrices are dense: beyond " +
+                                             std::to_string(algorithm.most_elements) +
+                                             " it takes more than ten minutes");
     return {};
   }
   Vector x = skinned(instance.problem);

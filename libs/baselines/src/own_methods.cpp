@@ -14,7 +14,7 @@ Status status_of(sdp_penalty::Status status) {
   switch (status) {
     case sdp_penalty::Status::optimal:
       return Status::converged;
-    case sdp_penalty::Status::inadmissible:
+    case sdp_penalty::Status::infeasible:
       return Status::claims_infeasible;
     case sdp_penalty::Status::path_end:
       return Status::stalled;

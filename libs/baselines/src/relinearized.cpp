@@ -28,7 +28,7 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
     result.linear_solves += round.linear_solves;
   if (summary.settled)
     recorder.end(Status::converged, "the rotations have settled");
-  else if (summary.last.status == sdp_penalty::Status::inadmissible)
+  else if (summary.last.status == sdp_penalty::Status::infeasible)
     recorder.end(Status::claims_infeasible, summary.last.message);
   else if (!summary.last.feasible())
     recorder.end(Status::stalled, summary.last.message);
@@ -40,8 +40,9 @@ Vector run(const Instance& instance, const Options& options, Recorder& recorder)
 }  // namespace
 
 std::vector<Entry> relinearized() {
-  return {{{"relinearized", "re-linearised convex problems", "Kovalsky et al. 2014", Kind::nearby, {}, true},
-           run}};
+  return {
+      {{"relinearized", "re-linearised convex problems", "Kovalsky et al. 2014", Kind::alternative, {}, true},
+       run}};
 }
 
 }  // namespace isostretch::baselines

@@ -18,8 +18,8 @@ std::string_view status_name(Status status) noexcept {
       return "memory_limit";
     case Status::claims_infeasible:
       return "claims_infeasible";
-    case Status::unsuited:
-      return "unsuited";
+    case Status::not_applicable:
+      return "not_applicable";
     case Status::unavailable:
       return "unavailable";
     case Status::failed:
@@ -50,7 +50,7 @@ SolveStatus outcome(Status status) noexcept {
       return SolveStatus::interrupted;
     case Status::claims_infeasible:
       return SolveStatus::infeasible;
-    case Status::unsuited:
+    case Status::not_applicable:
     case Status::unavailable:
       return SolveStatus::not_applicable;
     case Status::memory_limit:

@@ -139,7 +139,7 @@ void end_without_verdict(const ProcessResult& process, Recorder& recorder) {
   if (speaks_of_memory(process.output) || speaks_of_memory(process.errors))
     recorder.end(Status::memory_limit, "no more memory" + said);
   else if (line.find("too large") != std::string::npos)  // CSDP, which counts with 32 bits
-    recorder.end(Status::unsuited, line);
+    recorder.end(Status::not_applicable, line);
   else if (process.crashed())
     recorder.end(Status::crashed, "ended by signal " + std::to_string(process.signal) + said);
   else if (!process.ended_well())

@@ -56,7 +56,7 @@ Result solve(std::string_view solver, const Instance& instance, const Options& o
     return recorder.finish({});
   }
   if (instance.problem.bounds_stretch() && !entry.info.bounds_stretch) {
-    recorder.end(Status::unsuited, "it does not know largest_stretch");
+    recorder.end(Status::not_applicable, "it does not know largest_stretch");
     return recorder.finish({});
   }
   Vector x;

@@ -14,7 +14,7 @@ using baselines::MethodOptions;
 namespace {
 
 bool applies(const baselines::MethodInfo& method, const DistortionProblem& problem) {
-  return baselines::unsuited(method.name, problem).empty();
+  return baselines::why_not_applicable(method.name, problem).empty();
 }
 
 // Every method that takes the problem reaches the energy of ours, from the same start.
@@ -66,7 +66,7 @@ TEST_SUITE("distortion") {
     CHECK_THROWS_WITH_AS(baselines::minimize("analytic", started.problem, short_start),
                          doctest::Contains("the start has 4 entries"), Error);
     started.problem.energy = energies::make_energy("mips_3d");
-    CHECK_THROWS_WITH_AS(baselines::unsuited("analytic", started.problem),
+    CHECK_THROWS_WITH_AS(baselines::why_not_applicable("analytic", started.problem),
                          doctest::Contains("does not exist in 2D"), Error);
   }
 

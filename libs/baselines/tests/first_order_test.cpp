@@ -272,7 +272,7 @@ TEST_SUITE("first order") {
     for (const std::string method : all_methods) {
       CAPTURE(method);
       Vector x;
-      if (baselines::unsuited(method, inverted.problem).empty()) {
+      if (baselines::why_not_applicable(method, inverted.problem).empty()) {
         CHECK(solved(method, inverted, {}, x).status == newton::Status::failed_start);
         CHECK(x == inverted.start);
       }
@@ -366,7 +366,7 @@ TEST_SUITE("first order") {
     for (const tests::Started& started : {tests::twisted_bar(energies::make_energy("arap")),
                                           tests::flattening(energies::make_energy("symmetric_dirichlet"))})
       for (const std::string method : all_methods) {
-        if (!baselines::unsuited(method, started.problem).empty()) continue;
+        if (!baselines::why_not_applicable(method, started.problem).empty()) continue;
         ++checked;
         CAPTURE(method);
         Vector one, two;
@@ -383,11 +383,12 @@ TEST_SUITE("first order") {
   TEST_CASE("local-global is refused where its local step is another, with the reason") {
     tests::Started started = tests::flattening(energies::make_energy("symmetric_dirichlet"));
     for (const std::string method : {"local_global", "anderson"}) {
-      CHECK(baselines::unsuited(method, started.problem).find("closest rotation") != std::string::npos);
+      CHECK(baselines::why_not_applicable(method, started.problem).find("closest rotation") !=
+            std::string::npos);
       CHECK_THROWS_WITH_AS(baselines::minimize(method, started.problem, started.start),
                            doctest::Contains("symmetric_dirichlet"), Error);
     }
     for (const std::string method : {"aqp", "quadratic_proxy", "lbfgs", "bcqn"})
-      CHECK(baselines::unsuited(method, started.problem).empty());
+      CHECK(baselines::why_not_applicable(method, started.problem).empty());
   }
 }

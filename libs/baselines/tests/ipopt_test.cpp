@@ -61,7 +61,7 @@ TEST_CASE("Ipopt knows hard targets, weights, incompressibility and the margin" 
 
 TEST_CASE("Cones of three rows are not second-order cones" * tests::needs_solvers({"ipopt_cone"})) {
   const Result result = baselines::solve("ipopt_cone", instance_named("bar3d_squash_8x2x2"));
-  CHECK(result.status == Status::unsuited);
+  CHECK(result.status == Status::not_applicable);
   CHECK_FALSE(result.has_positions());
 }
 

@@ -84,7 +84,7 @@ TEST_CASE("NLopt's algorithms say what is too large for them" * tests::needs_sol
   for (const std::string& name : all_solvers) {
     CAPTURE(name);
     const Result result = baselines::solve(name, instance);
-    CHECK(result.status == Status::unsuited);
+    CHECK(result.status == Status::not_applicable);
     CHECK(result.message.find("3200 elements are too many") == 0);
     CHECK_FALSE(result.has_positions());
   }

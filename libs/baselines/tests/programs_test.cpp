@@ -178,7 +178,7 @@ TEST_CASE("Whatever a program does, there is a status, and nothing stays behind"
   }
   SUBCASE("too large for it") {
     const Result result = outcome("echo 'This problem is too large to be solved in 32 bit mode!'; exit 206");
-    CHECK(result.status == Status::unsuited);
+    CHECK(result.status == Status::not_applicable);
     CHECK(result.message.find("too large") != std::string::npos);
   }
   SUBCASE("no memory") {

@@ -115,7 +115,7 @@ void Manipulation::run(ManipulationFrame& result) {
 
 Vector Manipulation::unconstrained() const {
   sdp_penalty::Options options;
-  options.method = sdp_penalty::Method::skinning;
+  options.method = sdp_penalty::Method::unconstrained;
   options.solver = options_.solver.solver;
   Vector x;
   sdp_penalty::solve(problem_, x, options);

@@ -11,12 +11,12 @@ SoftHandles::SoftHandles(int dim, int node_count, std::vector<newton::SoftPin> p
 
 void SoftHandles::move(std::vector<newton::SoftPin> pins) {
   term_ = std::make_unique<newton::SoftPinTerm>(dim_, node_count_, std::move(pins));
-  if (pattern_ != nullptr) term_->bind(*pattern_);
+  if (pattern_ != nullptr) term_->set_pattern(*pattern_);
 }
 
-void SoftHandles::bind(const assembly::HessianPattern& pattern) {
+void SoftHandles::set_pattern(const assembly::HessianPattern& pattern) {
   pattern_ = &pattern;
-  term_->bind(pattern);
+  term_->set_pattern(pattern);
 }
 
 }  // namespace isostretch::deformation

@@ -33,12 +33,11 @@ FilterOptions HessianPolicy::full(Filter filter) const {
   return {filter, options_.filter_threshold, 1.0, nullptr};
 }
 
-FilterOptions HessianPolicy::at(double strength) {
-  tried_ = strength;
-  if (strength == exact) return {Filter::none, 0.0, 0.0, nullptr};
-  if (strength <= clamped) return {Filter::clamp, options_.filter_threshold, strength / clamped, nullptr};
-  return {Filter::bounded_abs, options_.filter_threshold, (strength - clamped) / (absolute - clamped),
-          nullptr};
+FilterOptions HessianPolicy::at(double weight) {
+  tried_ = weight;
+  if (weight == exact) return {Filter::none, 0.0, 0.0, nullptr};
+  if (weight <= clamped) return {Filter::clamp, options_.filter_threshold, weight / clamped, nullptr};
+  return {Filter::bounded_abs, options_.filter_threshold, (weight - clamped) / (absolute - clamped), nullptr};
 }
 
 FilterOptions HessianPolicy::first() {
@@ -57,7 +56,7 @@ FilterOptions HessianPolicy::first() {
       break;
   }
   const bool hopeless = most_ == absolute && model_fit_ > hopeless_fit;
-  return at(wait_ == 0 && full_step_ && !hopeless ? exact : strength_);
+  return at(wait_ == 0 && full_step_ && !hopeless ? exact : weight_);
 }
 
 bool HessianPolicy::stronger(FilterOptions& filter) {
@@ -74,7 +73,7 @@ bool HessianPolicy::stronger(FilterOptions& filter) {
       return true;
     case Projection::adaptive:
       if (tried_ >= clamped) return false;
-      filter = at(tried_ < strength_ ? strength_ : caution_);
+      filter = at(tried_ < weight_ ? weight_ : fallback_weight_);
       wait_ = options_.retry_interval;
       return true;
     case Projection::none:
@@ -92,15 +91,15 @@ void HessianPolicy::step_taken(double step, double model_fit) {
 }
 
 void HessianPolicy::adapt(double step, double model_fit) {
-  strength_ = tried_;
+  weight_ = tried_;
   full_step_ = step >= 1.0;
   wait_ = std::max(0, wait_ - 1);
-  if (strength_ >= clamped) {
-    if (model_fit < soft_fit) caution_ = most_;
-    if (model_fit > stiff_fit) caution_ = clamped + relaxation * (caution_ - clamped);
-    strength_ = caution_;
+  if (weight_ >= clamped) {
+    if (model_fit < soft_fit) fallback_weight_ = most_;
+    if (model_fit > stiff_fit) fallback_weight_ = clamped + relaxation * (fallback_weight_ - clamped);
+    weight_ = fallback_weight_;
   } else if (step < short_step) {
-    strength_ = 0.5 * (clamped + strength_);
+    weight_ = 0.5 * (clamped + weight_);
     wait_ = options_.retry_interval;
   }
 }

@@ -10,14 +10,14 @@ namespace isostretch::newton {
 
 // Decides how much of which filter the next Hessian gets.
 //
-// The adaptive choice moves along one line: with strength s, a negative eigenvalue l becomes l (1 - 2 s), so
+// The adaptive choice moves along one line: with weight s, a negative eigenvalue l becomes l (1 - 2 s), so
 // that 0 is the exact Hessian, 1/2 clamps to zero, and 1 takes the absolute value (bounded: see
 // projection::Filter::bounded_abs). Three rules move it:
 //
 // - Filtering costs the quadratic end phase wherever element Hessians are indefinite at the optimum although
 //   their sum is not, while a Hessian that fails to factorise costs up to a factorization. Hence after a full
 //   step the exact Hessian is tried (unless that step gained far more than promised, and there is no
-//   barrier); if it fails, the strength that worked last is used, and the exact one is left alone for
+//   barrier); if it fails, the weight that worked last is used, and the exact one is left alone for
 //   retry_interval steps.
 // - If it factorises but its model fits badly, which a short step shows, a quarter is used for as long.
 // - From 1/2 on, a model that promised far more than the step gained goes to the absolute value, and one that
@@ -28,7 +28,7 @@ namespace isostretch::newton {
 class HessianPolicy {
  public:
   HessianPolicy(const Options& options, bool has_barrier)
-      : options_(options), most_(has_barrier ? clamped : absolute), caution_(most_), strength_(most_) {}
+      : options_(options), most_(has_barrier ? clamped : absolute), fallback_weight_(most_), weight_(most_) {}
 
   // The filter to try first at new positions.
   projection::FilterOptions first();
@@ -47,13 +47,13 @@ class HessianPolicy {
   static constexpr double exact = 0.0, clamped = 0.5, absolute = 1.0;
 
   projection::FilterOptions full(projection::Filter filter) const;
-  projection::FilterOptions at(double strength);
+  projection::FilterOptions at(double weight);
   void adapt(double step, double model_fit);
 
   const Options& options_;
   const double most_;
-  double caution_;   // between clamped and most_: what is used when the exact Hessian is not
-  double strength_;  // the last that worked
+  double fallback_weight_;  // between clamped and most_: what is used when the exact Hessian is not
+  double weight_;           // the last that worked
   double tried_ = 0;
   int wait_ = 0;  // steps until the exact Hessian is tried again
   bool full_step_ = false;

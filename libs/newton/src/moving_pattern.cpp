@@ -24,9 +24,9 @@ bool MovingPattern::follow(const assembly::HessianPattern& fixed) {
 
 void MovingPattern::make(const assembly::HessianPattern& fixed) {
   assembly::PatternBuilder builder(fixed.unknowns().node_count());
-  for (const Term* term : terms_) term->add_to(builder);
+  for (const Term* term : terms_) term->add_stencil(builder);
   pattern_ = std::make_unique<assembly::HessianPattern>(fixed.unknowns(), std::move(builder));
-  for (Term* term : terms_) term->bind(*pattern_);
+  for (Term* term : terms_) term->set_pattern(*pattern_);
   merge(fixed.zero_matrix(), pattern_->zero_matrix());
 }
 

@@ -1,5 +1,5 @@
+#include "equality_constraints.hpp"
 #include "moving_pattern.hpp"
-#include "tied_unknowns.hpp"
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/newton/objective.hpp>
@@ -70,30 +70,30 @@ void Objective::pin(int node, int axis) {
 }
 
 int Objective::representative(int dof) const {
-  while (!tied_to_.empty() && tied_to_[static_cast<std::size_t>(dof)] != dof)
-    dof = tied_to_[static_cast<std::size_t>(dof)];
+  while (!equal_to_.empty() && equal_to_[static_cast<std::size_t>(dof)] != dof)
+    dof = equal_to_[static_cast<std::size_t>(dof)];
   return dof;
 }
 
-void Objective::tie(int node, int other, int axis) {
+void Objective::add_equality(int node, int other, int axis) {
   for (const int n : {node, other})
     if (n < 0 || n >= node_count_ || axis < 0 || axis >= dim_)
-      throw Error("cannot tie axis " + std::to_string(axis) + " of node " + std::to_string(n));
-  if (tied_to_.empty()) {
-    tied_to_.resize(static_cast<std::size_t>(dofs()));
-    std::iota(tied_to_.begin(), tied_to_.end(), 0);
+      throw Error("cannot equate axis " + std::to_string(axis) + " of node " + std::to_string(n));
+  if (equal_to_.empty()) {
+    equal_to_.resize(static_cast<std::size_t>(dofs()));
+    std::iota(equal_to_.begin(), equal_to_.end(), 0);
   }
   const int a = representative(node * dim_ + axis), b = representative(other * dim_ + axis);
-  tied_to_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  equal_to_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
   changed();
 }
 
-void Objective::require_tied(const Vector& x) const {
-  for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)
+void Objective::require_equalities(const Vector& x) const {
+  for (int dof = 0; dof < static_cast<int>(equal_to_.size()); ++dof)
     if (x[dof] != x[representative(dof)])
-      throw Error("nodes " + std::to_string(representative(dof) / dim_) + " and " +
-                  std::to_string(dof / dim_) + " are tied but start with different coordinates along axis " +
-                  std::to_string(dof % dim_));
+      throw Error(
+          "nodes " + std::to_string(representative(dof) / dim_) + " and " + std::to_string(dof / dim_) +
+          " are to be equal but start with different coordinates along axis " + std::to_string(dof % dim_));
 }
 
 bool Objective::has_pins() const {
@@ -112,16 +112,16 @@ void Objective::make_pattern() {
     if (term->has_moving_stencil())
       moving.push_back(term.get());
     else
-      term->add_to(builder);
+      term->add_stencil(builder);
   }
-  for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)
+  for (int dof = 0; dof < static_cast<int>(equal_to_.size()); ++dof)
     if (pinned_[static_cast<std::size_t>(dof)]) pinned_[static_cast<std::size_t>(representative(dof))] = true;
-  for (int dof = 0; dof < static_cast<int>(tied_to_.size()); ++dof)
+  for (int dof = 0; dof < static_cast<int>(equal_to_.size()); ++dof)
     if (pinned_[static_cast<std::size_t>(representative(dof))]) pinned_[static_cast<std::size_t>(dof)] = true;
   pattern_ = std::make_unique<assembly::HessianPattern>(assembly::FreeUnknowns(dim_, node_count_, pinned_),
                                                         std::move(builder));
   for (const auto& term : terms_)
-    if (!term->has_moving_stencil()) term->bind(*pattern_);
+    if (!term->has_moving_stencil()) term->set_pattern(*pattern_);
   moving_.reset();
   if (!moving.empty()) moving_ = std::make_unique<MovingPattern>(*pattern_, std::move(moving));
   tie_unknowns();
@@ -136,13 +136,13 @@ void Objective::follow_stencils() {
 }
 
 void Objective::tie_unknowns() {
-  tied_.reset();
-  if (!tied_to_.empty())
-    tied_ = std::make_unique<TiedUnknowns>(pattern_->unknowns(), untied_matrix(),
-                                           [this](int dof) { return representative(dof); });
+  equalities_.reset();
+  if (!equal_to_.empty())
+    equalities_ = std::make_unique<EqualityConstraints>(pattern_->unknowns(), unreduced_matrix(),
+                                                        [this](int dof) { return representative(dof); });
 }
 
-const sparse::SymmetricMatrix& Objective::untied_matrix() const {
+const sparse::SymmetricMatrix& Objective::unreduced_matrix() const {
   return moving_ ? moving_->zero_matrix() : pattern_->zero_matrix();
 }
 
@@ -193,39 +193,40 @@ Evaluation Objective::differentiate(const Vector& x, const projection::FilterOpt
 }
 
 void Objective::hessian(sparse::SymmetricMatrix& matrix) {
-  std::vector<double>& values = tied_ ? tied_->untied_values() : matrix.value;
+  std::vector<double>& values = equalities_ ? equalities_->unreduced_values() : matrix.value;
   std::vector<double>& of_fixed = moving_ ? moving_->fixed_values() : values;
   std::fill(of_fixed.begin(), of_fixed.end(), 0.0);
   for (const auto& term : terms_)
     if (!term->has_moving_stencil()) term->add_hessian(of_fixed.data());
   if (moving_) moving_->add_hessians(values);
-  if (tied_) tied_->reduce(matrix.value);
+  if (equalities_) equalities_->reduce(matrix.value);
 }
 
 const sparse::SymmetricMatrix& Objective::zero_matrix() {
   follow_stencils();
-  return tied_ ? tied_->zero_matrix() : untied_matrix();
+  return equalities_ ? equalities_->zero_matrix() : unreduced_matrix();
 }
 
 void Objective::restrict(const Vector& gradient, Vector& reduced) {
   const auto& unknowns = pattern().unknowns();
-  reduced.setZero(tied_ ? tied_->zero_matrix().size : unknowns.size());
+  reduced.setZero(equalities_ ? equalities_->zero_matrix().size : unknowns.size());
   for (int i = 0; i < unknowns.size(); ++i)
-    reduced[tied_ ? tied_->unknown(i) : i] += gradient[unknowns.dof(i)];
+    reduced[equalities_ ? equalities_->unknown(i) : i] += gradient[unknowns.dof(i)];
 }
 
 void Objective::extend(const Vector& reduced, Vector& direction) {
   const auto& unknowns = pattern().unknowns();
   direction.setZero(dofs());
   for (int i = 0; i < unknowns.size(); ++i)
-    direction[unknowns.dof(i)] = reduced[tied_ ? tied_->unknown(i) : i];
+    direction[unknowns.dof(i)] = reduced[equalities_ ? equalities_->unknown(i) : i];
 }
 
 std::vector<int> Objective::axes() {
   const auto& unknowns = pattern().unknowns();
-  std::vector<int> axis(static_cast<std::size_t>(tied_ ? tied_->zero_matrix().size : unknowns.size()));
+  std::vector<int> axis(
+      static_cast<std::size_t>(equalities_ ? equalities_->zero_matrix().size : unknowns.size()));
   for (int i = 0; i < unknowns.size(); ++i)
-    axis[static_cast<std::size_t>(tied_ ? tied_->unknown(i) : i)] = unknowns.dof(i) % dim_;
+    axis[static_cast<std::size_t>(equalities_ ? equalities_->unknown(i) : i)] = unknowns.dof(i) % dim_;
   return axis;
 }
 

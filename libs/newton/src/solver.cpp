@@ -20,16 +20,16 @@ namespace isostretch::newton {
 namespace {
 
 // On the line from the exact Hessian (0) by clamping (1/2) to absolute values (1).
-double strength_of(const projection::FilterOptions& filter) {
+double projection_weight_of(const projection::FilterOptions& filter) {
   if (filter.filter == projection::Filter::none) return 0.0;
-  if (filter.filter == projection::Filter::clamp) return 0.5 * filter.strength;
-  return filter.filter == projection::Filter::bounded_abs ? 0.5 + 0.5 * filter.strength : filter.strength;
+  if (filter.filter == projection::Filter::clamp) return 0.5 * filter.weight;
+  return filter.filter == projection::Filter::bounded_abs ? 0.5 + 0.5 * filter.weight : filter.weight;
 }
 
 }  // namespace
 
 // What one solve leaves for the next.
-struct Solver::Kept {
+struct Solver::Workspace {
   Options options;
   NewtonSystem system;
 };
@@ -37,7 +37,7 @@ struct Solver::Kept {
 // One solve, from start to summary.
 class Solver::Solve {
  public:
-  Solve(Kept& kept, Vector x, const IterationCallback& callback)
+  Solve(Workspace& kept, Vector x, const IterationCallback& callback)
       : objective_(kept.system.objective()),
         options_(kept.options),
         system_(kept.system),
@@ -50,7 +50,7 @@ class Solver::Solve {
   bool start() { return (set_up() && !stop_before_step()) || finish(); }
   bool step() {
     if (objective_.version() != version_)
-      throw Error("newton: terms, pins or ties were added to the objective during a solve");
+      throw Error("newton: terms, pins or equality constraints were added to the objective during a solve");
     return (take_step() && !stop_before_step()) || finish();
   }
 
@@ -175,8 +175,8 @@ class Solver::Solve {
   bool filter_again(const Iteration& row) {
     log(LogLevel::debug, [&] {
       return "newton: iteration " + std::to_string(row.iteration) +
-             ": the Hessian is not positive definite; filtered again with strength " +
-             to_text(strength_of(filter_));
+             ": the Hessian is not positive definite; filtered again with weight " +
+             to_text(projection_weight_of(filter_));
     });
     differentiate();
     return derivatives_fault_.empty() || end_at_fault();
@@ -228,7 +228,7 @@ class Solver::Solve {
     if (!factorize(row) || !solve(row)) return false;
     const double slope = gradient_.dot(direction_);
     row.decrement = -0.5 * slope;
-    row.filter_strength = strength_of(filter_);
+    row.projection_weight = projection_weight_of(filter_);
     row.points_filtered = points_filtered_;
     if (!(slope < 0)) return driver_.end(Status::failed_line_search, "the Newton direction does not descend");
     if (solved_ && scales_.passes_with(row.decrement, x_)) return end_scaled();
@@ -307,7 +307,7 @@ class Solver::Solve {
 };
 
 Solver::Solver(Objective& objective, const Options& options, std::unique_ptr<sparse::Solver> linear_solver)
-    : kept_(new Kept{options, NewtonSystem(objective, std::move(linear_solver))}) {
+    : workspace_(new Workspace{options, NewtonSystem(objective, std::move(linear_solver))}) {
   options.validate();
 }
 
@@ -316,18 +316,18 @@ Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
 void Solver::require_startable(const Vector& x) const {
-  const Objective& objective = kept_->system.objective();
+  const Objective& objective = workspace_->system.objective();
   if (x.size() != objective.dofs())
     throw Error("start of " + std::to_string(x.size()) + " entries for " + std::to_string(objective.dofs()) +
                 " degrees of freedom");
   if (!objective.has_terms()) throw Error("the objective has no terms: there is nothing to minimize");
-  objective.require_tied(x);
+  objective.require_equalities(x);
 }
 
 Summary Solver::solve(Vector& x, const IterationCallback& callback) {
   require_startable(x);
   current_.reset();
-  Solve solve(*kept_, std::move(x), callback);
+  Solve solve(*workspace_, std::move(x), callback);
   struct GiveBack {
     Solve& solve;
     Vector& x;
@@ -340,7 +340,7 @@ Summary Solver::solve(Vector& x, const IterationCallback& callback) {
 
 bool Solver::start(Vector x) {
   require_startable(x);
-  current_ = std::make_unique<Solve>(*kept_, std::move(x), IterationCallback());
+  current_ = std::make_unique<Solve>(*workspace_, std::move(x), IterationCallback());
   return current_->start();
 }
 
@@ -362,16 +362,16 @@ const Summary& Solver::summary() const {
 void Solver::set_options(const Options& options) {
   options.validate();
   current_.reset();
-  if (options.solver != kept_->options.solver) kept_->system.drop_solver();
-  kept_->options = options;
+  if (options.solver != workspace_->options.solver) workspace_->system.drop_solver();
+  workspace_->options = options;
 }
 
 const Options& Solver::options() const {
-  return kept_->options;
+  return workspace_->options;
 }
 
 int Solver::analyses() const {
-  return kept_->system.analyses();
+  return workspace_->system.analyses();
 }
 
 Summary minimize(Objective& objective, Vector& x, const Options& options, const IterationCallback& callback) {

@@ -107,12 +107,12 @@ std::string progress_line(const Iteration& row) {
 }
 
 Trace trace_table(const Summary& summary) {
-  Trace trace{{"iteration", "seconds", "energy", "gradient_inf_norm", "step", "decrement", "filter_strength",
-               "points_filtered", "factorizations", "evaluations"},
+  Trace trace{{"iteration", "seconds", "energy", "gradient_inf_norm", "step", "decrement",
+               "projection_weight", "points_filtered", "factorizations", "evaluations"},
               {}};
   for (const Iteration& row : summary.trace)
     trace.rows.push_back({static_cast<double>(row.iteration), row.seconds, row.energy, row.gradient_inf_norm,
-                          row.step, row.decrement, row.filter_strength,
+                          row.step, row.decrement, row.projection_weight,
                           static_cast<double>(row.points_filtered), static_cast<double>(row.factorizations),
                           static_cast<double>(row.evaluations)});
   return trace;
@@ -140,7 +140,7 @@ std::string Summary::full_report() const {
       "  it       energy          |gradient|_inf  step      fit       decrement   filter  filtered  tried\n";
   for (const Iteration& row : trace)
     text += format("%4d  %.14g  %.3e  %.3e  %.2e  %.3e  %.3f  %8zu  %d\n", row.iteration, row.energy,
-                   row.gradient_inf_norm, row.step, row.model_fit, row.decrement, row.filter_strength,
+                   row.gradient_inf_norm, row.step, row.model_fit, row.decrement, row.projection_weight,
                    row.points_filtered, row.factorizations);
   return text;
 }

@@ -60,11 +60,11 @@ int EnergyTerm::element_not_finite() const {
   return left_out_ ? -1 : assembler_.element_not_finite();
 }
 
-void EnergyTerm::add_to(assembly::PatternBuilder& builder) const {
-  assembler_.add_to(builder);
+void EnergyTerm::add_stencil(assembly::PatternBuilder& builder) const {
+  assembler_.add_stencil(builder);
 }
-void EnergyTerm::bind(const assembly::HessianPattern& pattern) {
-  assembler_.bind(pattern);
+void EnergyTerm::set_pattern(const assembly::HessianPattern& pattern) {
+  assembler_.set_pattern(pattern);
 }
 Evaluation EnergyTerm::value(const Vector& x) {
   return left_out_ ? Evaluation{} : assembler_.value(x.data());
@@ -103,8 +103,8 @@ SoftPinTerm::SoftPinTerm(int dim, int node_count, std::vector<SoftPin> pins)
 void SoftPinTerm::require_fits(int dim, int node_count) const {
   require_fitting("a term of soft pins", dim_, node_count_, dim, node_count);
 }
-void SoftPinTerm::add_to(assembly::PatternBuilder&) const {}  // every node has its diagonal block
-void SoftPinTerm::bind(const assembly::HessianPattern& pattern) {
+void SoftPinTerm::add_stencil(assembly::PatternBuilder&) const {}  // every node has its diagonal block
+void SoftPinTerm::set_pattern(const assembly::HessianPattern& pattern) {
   pattern_ = &pattern;
 }
 

@@ -20,8 +20,8 @@ constexpr double huge = 1e12;
 class Hill final : public newton::Term {
  public:
   Hill(Vector target, double scale, bool exact) : target_(std::move(target)), scale_(scale), exact_(exact) {}
-  void add_to(assembly::PatternBuilder&) const override {}
-  void bind(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
+  void add_stencil(assembly::PatternBuilder&) const override {}
+  void set_pattern(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
   newton::Evaluation value(const Vector& x) override {
     newton::Evaluation at;
     at.value = huge;

@@ -42,11 +42,11 @@ class Gaps final : public newton::Term {
   }
   bool has_moving_stencil() const override { return moves_; }
   int stencil_version() const override { return version_; }
-  void add_to(assembly::PatternBuilder& builder) const override {
+  void add_stencil(assembly::PatternBuilder& builder) const override {
     for (std::size_t i = 0; i < pairs_.size(); ++i)
       if (near_[i]) builder.add_pair(pairs_[i].left, pairs_[i].right);
   }
-  void bind(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
+  void set_pattern(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
 
   newton::Evaluation value(const Vector& x) override {
     newton::Evaluation at;
@@ -228,14 +228,14 @@ TEST_CASE("moving stencil: results do not depend on the number of threads, bit f
   CHECK((results[0].array() == results[1].array()).all());
 }
 
-TEST_CASE("moving stencil: Hessians are those of all pairs, with pins and ties") {
+TEST_CASE("moving stencil: Hessians are those of all pairs, with pins and equality constraints") {
   const Square square;
   newton::Objective fixed = square.objective(false), moving = square.objective(true);
   for (newton::Objective* objective : {&fixed, &moving}) {
     objective->pin(square.lower_left);
     objective->pin(5, 1);
-    objective->tie(square.upper_right, square.upper_right - 1, 0);
-    objective->tie(3, 40, 1);
+    objective->add_equality(square.upper_right, square.upper_right - 1, 0);
+    objective->add_equality(3, 40, 1);
   }
   Vector x = square.start, gradient, d, a, b;
   int moves = 0;

@@ -364,8 +364,8 @@ namespace {
 // 1 + |x|^2 / 2 with a gradient of the wrong sign: a user's mistake.
 class WrongGradient final : public newton::Term {
  public:
-  void add_to(assembly::PatternBuilder&) const override {}
-  void bind(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
+  void add_stencil(assembly::PatternBuilder&) const override {}
+  void set_pattern(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
   assembly::Evaluation value(const Vector& x) override {
     assembly::Evaluation result;
     result.value = 1 + 0.5 * x.squaredNorm();

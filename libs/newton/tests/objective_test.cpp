@@ -71,7 +71,7 @@ TEST_CASE("pins take degrees of freedom out of gradient and matrix") {
   CHECK(gradient[6] != 0);
 }
 
-TEST_CASE("ties: the Hessian is T^T H T, gradient and direction go through T") {
+TEST_CASE("equality constraints: the Hessian is T^T H T, gradient and direction go through T") {
   const auto elements = grid_elements(3);
   const auto make = [&] {
     newton::Objective objective(2, elements.node_count);
@@ -79,26 +79,26 @@ TEST_CASE("ties: the Hessian is T^T H T, gradient and direction go through T") {
     objective.pin(7);
     return objective;
   };
-  newton::Objective free = make(), tied = make();
-  tied.tie(4, 1, 0);  // neighbours: an entry off the diagonal comes to lie on it
-  tied.tie(5, 4, 0);
-  tied.tie(9, 14, 1);
-  tied.tie(7, 2, 1);  // pinned with node 7
+  newton::Objective free = make(), constrained = make();
+  constrained.add_equality(4, 1, 0);  // neighbours: an entry off the diagonal comes to lie on it
+  constrained.add_equality(5, 4, 0);
+  constrained.add_equality(9, 14, 1);
+  constrained.add_equality(7, 2, 1);  // pinned with node 7
   const Vector x = 1.3 * grid_positions(3);
   Vector gradient, reduced;
-  sparse::SymmetricMatrix H = free.zero_matrix(), small = tied.zero_matrix();
+  sparse::SymmetricMatrix H = free.zero_matrix(), small = constrained.zero_matrix();
   REQUIRE(small.size == free.dofs() - 2 - 1 - 3);
   small.validate();
   free.differentiate(x, {}, gradient, true);
   free.hessian(H);
-  tied.differentiate(x, {}, gradient, true);
-  tied.hessian(small);
-  tied.restrict(gradient, reduced);
+  constrained.differentiate(x, {}, gradient, true);
+  constrained.hessian(small);
+  constrained.restrict(gradient, reduced);
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
   Vector d(small.size), full, on_free;
   for (double& value : d) value = uniform(generator);
-  tied.extend(d, full);
+  constrained.extend(d, full);
   CHECK(full[2 * 4] == full[2 * 1]);
   CHECK(full[2 * 5] == full[2 * 1]);
   CHECK(full[2 * 9 + 1] == full[2 * 14 + 1]);
@@ -109,32 +109,33 @@ TEST_CASE("ties: the Hessian is T^T H T, gradient and direction go through T") {
   CHECK(small.multiply(d).dot(d) == doctest::Approx(H.multiply(on_free).dot(on_free)).epsilon(1e-12));
 }
 
-TEST_CASE("ties hold to the bit through a minimisation") {
+TEST_CASE("equality constraints hold to the bit through a minimisation") {
   const mesh::SurfaceMesh face = mesh::procedural_face(6);
   mesh::ElementArrays rest = mesh::flat_elements(face);
   mesh::scale_to_total_weight(rest, 1.0);
   parameterization::TutteOptions square;
   square.boundary = parameterization::BoundaryShape::square;
   const mesh::Points2 uv = parameterization::tutte_embedding(face, square).uv;
-  newton::Objective free(2, rest.node_count), tied(2, rest.node_count);
-  for (newton::Objective* objective : {&free, &tied})
+  newton::Objective free(2, rest.node_count), constrained(2, rest.node_count);
+  for (newton::Objective* objective : {&free, &constrained})
     objective->add<newton::EnergyTerm>(assembly::elements_from(rest),
                                        energies::make_energy("symmetric_dirichlet"));
   std::vector<int> bottom;
   for (int v = 0; v < rest.node_count; ++v)
     if (uv(v, 1) == -0.5) bottom.push_back(v);
   REQUIRE(bottom.size() > 4);
-  for (const int v : bottom) tied.tie(bottom.front(), v, 1);
+  for (const int v : bottom) constrained.add_equality(bottom.front(), v, 1);
   const Vector start = Eigen::Map<const Vector>(uv.data(), uv.size());
   Vector x = start, y = start;
-  const newton::Summary unconstrained = newton::minimize(free, x), straight = newton::minimize(tied, y);
+  const newton::Summary unconstrained = newton::minimize(free, x),
+                        straight = newton::minimize(constrained, y);
   CHECK_MESSAGE(straight.converged(), straight.full_report());
   CHECK(straight.energy > unconstrained.energy);
   for (const int v : bottom) CHECK(y[2 * v + 1] == y[2 * bottom.front() + 1]);
   y[2 * bottom[1] + 1] += 0.5;
-  CHECK_THROWS_WITH_AS(newton::minimize(tied, y), doctest::Contains("are tied but start with different"),
-                       Error);
-  CHECK_THROWS_WITH_AS(tied.tie(0, 9999, 0), "cannot tie axis 0 of node 9999", Error);
+  CHECK_THROWS_WITH_AS(newton::minimize(constrained, y),
+                       doctest::Contains("are to be equal but start with different"), Error);
+  CHECK_THROWS_WITH_AS(constrained.add_equality(0, 9999, 0), "cannot equate axis 0 of node 9999", Error);
 }
 
 TEST_CASE("misuse is refused, naming the node or the pin") {

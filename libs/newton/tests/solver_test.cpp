@@ -88,7 +88,7 @@ TEST_CASE("solver: solves are those of minimize(), to the bit, and the analysis 
   CHECK(solves == 4);
 }
 
-TEST_CASE("solver: pins, ties and terms added between solves are seen") {
+TEST_CASE("solver: pins, equality constraints and terms added between solves are seen") {
   const Face face;
   newton::Objective objective = face.objective();
   newton::Solver solver(objective);
@@ -207,7 +207,7 @@ TEST_CASE("solver: an objective that changes during a solve is refused, not writ
   Vector x = face.start;
   CHECK_THROWS_WITH_AS(solver.solve(x,
                                     [&](const newton::Iteration&, const Vector&) {
-                                      objective.tie(1, 2, 0);
+                                      objective.add_equality(1, 2, 0);
                                       return newton::CallbackAction::proceed;
                                     }),
                        doctest::Contains("during a solve"), Error);
@@ -221,8 +221,8 @@ class Listener final : public newton::Term {
  public:
   Listener(int& solves, std::vector<Vector>& steps) : solves_(solves), steps_(steps) {}
 
-  void add_to(assembly::PatternBuilder&) const override {}
-  void bind(const assembly::HessianPattern&) override {}
+  void add_stencil(assembly::PatternBuilder&) const override {}
+  void set_pattern(const assembly::HessianPattern&) override {}
   newton::Evaluation value(const Vector&) override { return {}; }
   newton::Evaluation differentiate(const Vector&, const projection::FilterOptions&, Vector&, bool) override {
     return {};

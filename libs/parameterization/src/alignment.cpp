@@ -128,7 +128,7 @@ void place_lines(Vector& x, const std::vector<Line>& lines, const Pins& pins,
 
 void tie_lines(newton::Objective& objective, const std::vector<Line>& lines) {
   for (const Line& line : lines)
-    for (const int node : line.nodes) objective.tie(line.nodes.front(), node, line.axis);
+    for (const int node : line.nodes) objective.add_equality(line.nodes.front(), node, line.axis);
 }
 
 }  // namespace isostretch::parameterization

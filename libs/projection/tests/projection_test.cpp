@@ -190,7 +190,7 @@ TEST_CASE("a Hessian that is positive semi-definite passes every filter bit for 
 }
 
 // Where no eigenvalue is more negative than the largest of the rest, absolute values are not bounded.
-TEST_CASE("bounded absolute values: clamping at strength 0, absolute values at 1 within the bound") {
+TEST_CASE("bounded absolute values: clamping at weight 0, absolute values at 1 within the bound") {
   tests::at_every_level([] {
     for (const auto& name : energies::energy_names()) {
       const auto energy = energies::make_energy(name);
@@ -203,17 +203,17 @@ TEST_CASE("bounded absolute values: clamping at strength 0, absolute values at 1
         if (!std::isfinite(exact.psi) || exact.H.norm() > 1e11) continue;
         ++checked;
         const double norm = exact.H.norm();
-        const auto bounded = [&](double strength) {
-          return projection::evaluate<3>(energy, F, {Filter::bounded_abs, 0.0, strength}).H;
+        const auto bounded = [&](double weight) {
+          return projection::evaluate<3>(energy, F, {Filter::bounded_abs, 0.0, weight}).H;
         };
         const auto clamped = projection::evaluate<3>(energy, F, {Filter::clamp}).H;
         const auto absolute = projection::evaluate<3>(energy, F, {Filter::abs}).H;
         CHECK((bounded(0.0) - clamped).norm() <= 1e-13 * norm + 1e-14);
         // Between the two in the order of positive semi-definite matrices.
         const auto smallest = [](const Hessian<3>& H) { return numerical_eigensystem(H).eigenvalues()[0]; };
-        for (const double strength : {0.3, 1.0}) {
-          CHECK(smallest(bounded(strength) - clamped) >= -1e-13 * norm);
-          CHECK(smallest(absolute - bounded(strength)) >= -1e-13 * norm);
+        for (const double weight : {0.3, 1.0}) {
+          CHECK(smallest(bounded(weight) - clamped) >= -1e-13 * norm);
+          CHECK(smallest(absolute - bounded(weight)) >= -1e-13 * norm);
         }
         const auto eigen = numerical_eigensystem(exact.H);
         const auto& lambda = eigen.eigenvalues();
@@ -237,11 +237,11 @@ TEST_CASE("a twist without bounds does not make the body rigid: bounded absolute
   CHECK(largest(Filter::bounded_abs) == doctest::Approx(2.0));
 }
 
-TEST_CASE("strength moves eigenvalues part of the way, 0 not at all") {
+TEST_CASE("weight moves eigenvalues part of the way, 0 not at all") {
   const auto energy = energies::make_energy("arap");
   const Eigen::Matrix2d F = 0.4 * Eigen::Matrix2d::Identity();  // twist 2 - 4/0.8 = -3
-  const auto smallest = [&](double strength) {
-    const auto H = projection::evaluate<2>(energy, F, {Filter::clamp, 0.0, strength}).H;
+  const auto smallest = [&](double weight) {
+    const auto H = projection::evaluate<2>(energy, F, {Filter::clamp, 0.0, weight}).H;
     return numerical_eigensystem(H).eigenvalues()[0];
   };
   CHECK(smallest(0.0) == doctest::Approx(-3.0));

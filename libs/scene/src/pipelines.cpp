@@ -38,7 +38,7 @@ void check_manipulation(const Node& group, const deformation::ManipulationOption
   const auto& solver = options.solver;
   if (std::isfinite(options.largest_stretch) && solver.method != sdp_penalty::Method::interior_point)
     group.at("largest_stretch").fail("is known to the method interior_point alone");
-  if (options.relinearize > 0 && solver.method == sdp_penalty::Method::skinning)
+  if (options.relinearize > 0 && solver.method == sdp_penalty::Method::unconstrained)
     group.at("relinearize").fail("needs a method that minimises with the constraint");
   if (const auto penalty = group.find("penalty"); penalty && solver.method != sdp_penalty::Method::penalty)
     penalty->fail("is of the method penalty alone");

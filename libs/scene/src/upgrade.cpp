@@ -50,6 +50,7 @@ class Upgrade {
       move_all(comparison_moves);
     else
       move_all(body_moves);
+    rename_method();
     move_penalty();
     move_solver();
     if (is_comparison) move_guesses();
@@ -79,6 +80,14 @@ class Upgrade {
     if (place->has(key)) throw Error(prefix + from + ": is now '" + to + "', which is given, too");
     (*place)[key] = std::move(value);
     moved_.push_back({prefix + from, new_prefix + to});
+  }
+
+  void rename_method() {
+    Value* group = scene_.find("manipulation");
+    Value* method = group == nullptr ? nullptr : group->find("method");
+    if (method == nullptr || *method != Value("skinning")) return;
+    *method = "unconstrained";
+    moved_.push_back({"skinning", "unconstrained"});
   }
 
   // It was a name, and is an object of options.

@@ -103,6 +103,7 @@ TEST_CASE("older scenes are brought up to the present schema") {
   check_upgrade(R"({"alpha": 1, "units": "mesh", "penalty": "cubic", "method": "penalty", "gap": 1e-3})",
                 R"({"manipulation": {"alpha": 1, "length_unit": "mesh", "method": "penalty",
                                      "gap_tolerance": 1e-3, "penalty": {"penalty": "cubic"}}})");
+  check_upgrade(R"({"method": "skinning"})", R"({"manipulation": {"method": "unconstrained"}})");
   check_upgrade(R"({"solver": "ipopt", "max_iterations": 9})",
                 R"({"manipulation": {"max_iterations": 9}, "rival": "ipopt"})");
   check_upgrade(R"({"problems": [{"name": "a", "guess": "rest"}], "max_iterations": 9, "time_limit": 1})",

@@ -29,10 +29,10 @@ bool Unconstrained::refresh(const System& system) {
 // Of the unknowns; 0 at hard targets.
 Vector Unconstrained::solved(const Vector& right) const {
   if (system_->unknowns() == 0) return Vector::Zero(right.size());
-  const Vector b = system_->unknown_part(right);
+  const Vector b = system_->restrict_to_unknowns(right);
   Vector x(b.size());
   solver_->solve_columns(b.data(), x.data(), 1);
-  return system_->spread_out(x);
+  return system_->prolongate(x);
 }
 
 Vector Unconstrained::minimiser() const {

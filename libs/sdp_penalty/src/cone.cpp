@@ -91,7 +91,7 @@ void Cone::start(Blocks M, double floor, double least, double complementarity) {
 }
 
 // C with C_jk = 2 c_jk / (l_j + l_k), c = centre I - diag(l)^2 - sym(dZ dY).
-void Cone::aim(double centre, bool correct) {
+void Cone::set_target(double centre, bool correct) {
   target_.assign(Z_.size(), 0.0);
   const std::size_t count = Z_.size() / (size_ * size_);
 #pragma omp parallel for schedule(static) if (count > assembly::least_parallel)
@@ -166,7 +166,7 @@ bool Cone::scale() {
   return scaling_.compute(static_cast<int>(size_), Z_, Y_);
 }
 
-Blocks Cone::pull() const {
+Blocks Cone::dual_residual() const {
   Blocks scaled = congruence(size_, scaling_.inverse, residual_, false);
   for (std::size_t k = 0; k < scaled.size(); ++k) scaled[k] = target_[k] - scaled[k];
   Blocks result = congruence(size_, scaling_.inverse, scaled, true);

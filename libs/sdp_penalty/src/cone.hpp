@@ -24,12 +24,12 @@ class Cone {
 
   // What the scaled directions have to add up to: centre I - diag(l)^2, less the second-order term of the
   // direction before if asked.
-  void aim(double centre, bool correct);
+  void set_target(double centre, bool correct);
   // Adds to the aim what would bring the eigenvalues of the scaled product of Z and Y at a longer step along
   // the direction back between a tenth of `centre` and ten times that.
   void recentre(double step, double centre);
   // The multipliers whose adjoint is minus this family's part of the gradient.
-  Blocks pull() const;
+  Blocks dual_residual() const;
   // From the change of M along dx.
   void set_direction(const Blocks& change_of_M);
   // Puts the direction aside, and takes it back.

@@ -12,7 +12,7 @@ namespace {
 
 // What the slacks are kept above besides the margin, so that rounding of S leaves x feasible; it costs the
 // sum of the multipliers' traces times this, some 1e-10 of the energy.
-constexpr double room = 1e-10;
+constexpr double interior_slack = 1e-10;
 
 // Multipliers have the size of the weights, and start there times the slacks' inverses. Where no eigenvalue
 // is far below the margin they are smaller, and a lower start saves an iteration or two; elsewhere it costs
@@ -31,10 +31,10 @@ class InteriorPoint {
     const bool is_mild = progress_.last().min_eigenvalue > margin - not_far;
     const double complementarity = weight_ * (is_mild ? lower_start : 1.0);
     cones_.emplace_back(system_.dim());
-    cones_[0].start(at_start.orientation, margin + room, least, complementarity);
+    cones_[0].start(at_start.orientation, margin + interior_slack, least, complementarity);
     if (system_.problem().bounds_stretch()) {
       cones_.emplace_back(2 * system_.dim());
-      cones_[1].start(at_start.stretch, room, least, complementarity);
+      cones_[1].start(at_start.stretch, interior_slack, least, complementarity);
     }
   }
 
@@ -52,10 +52,10 @@ class InteriorPoint {
     if (!factorize()) return;
     // Predictor: all the way, no centring.
     const double mu = mean_complementarity();
-    for (Cone& cone : cones_) cone.aim(0, false);
+    for (Cone& cone : cones_) cone.set_target(0, false);
     solve_direction();
     const double share = 1 - longest_step(1), centre = share * share * share * mu;  // Mehrotra's
-    for (Cone& cone : cones_) cone.aim(centre, true);
+    for (Cone& cone : cones_) cone.set_target(centre, true);
     solve_direction();
     advance(fraction() * lengthened(centre));
   }
@@ -91,7 +91,7 @@ class InteriorPoint {
   }
 
   bool factorize() {
-    system_.weighted(cones_[0].weight(), work_.matrix);
+    system_.assemble_normal_equations(cones_[0].weight(), work_.matrix);
     if (cones_.size() > 1) system_.add_stretch_weighted(cones_[1].weight(), work_.matrix);
     const sparse::FactorResult result = work_.factorize();
     progress_.count_solve();
@@ -101,7 +101,7 @@ class InteriorPoint {
 
   void solve_direction() {
     Vector gradient = progress_.gradient();
-    subtract_adjoint(system_, multipliers(&Cone::pull), gradient);
+    subtract_adjoint(system_, multipliers(&Cone::dual_residual), gradient);
     dx_ = work_.direction(gradient).dx;
     const Constrained change = system_.change_of_constrained(dx_);
     cones_[0].set_direction(change.orientation);

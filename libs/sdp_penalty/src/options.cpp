@@ -29,7 +29,7 @@ Penalty penalty_from_name(std::string_view name) {
 const std::vector<Method>& all_methods() {
   static const std::vector<Method> methods{Method::interior_point, Method::augmented_lagrangian,
                                            Method::penalty,        Method::spectral_sdp,
-                                           Method::pennon,         Method::skinning};
+                                           Method::pennon,         Method::unconstrained};
   return methods;
 }
 

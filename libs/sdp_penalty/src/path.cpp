@@ -63,7 +63,7 @@ bool Path::newton_step() {
   for (double& entry : pull) entry = -entry;
   gradient_ = progress_.gradient();
   system.add_adjoint(pull, gradient_);
-  system.curved(state_.curvature, work_.matrix);
+  system.assemble_hessian(state_.curvature, work_.matrix);
   const sparse::FactorResult result = work_.factorize();
   progress_.count_solve();
   if (!result) {

@@ -18,7 +18,7 @@
 namespace isostretch::sdp_penalty {
 namespace {
 
-// A field of ex-rotations is called inadmissible when no x with all eigenvalues above this is in reach.
+// A field of ex-rotations is called infeasible when no x with all eigenvalues above this is in reach.
 constexpr double least_reachable = 1e-2;
 
 // Half the largest extent of the targets on an axis, and its middle, enlarged to hold x.
@@ -60,10 +60,10 @@ sparse::FactorResult Workspace::factorize() {
 }
 
 Workspace::Direction Workspace::direction(const Vector& gradient) {
-  const Vector right = -system.unknown_part(gradient);
+  const Vector right = -system.restrict_to_unknowns(gradient);
   Vector solution(right.size());
   newton_solver().solve_columns(right.data(), solution.data(), 1);
-  return {system.spread_out(solution), right.dot(solution)};
+  return {system.prolongate(solution), right.dot(solution)};
 }
 
 Progress::Progress(Workspace& work, const Options& options, const IterationCallback& callback)
@@ -135,7 +135,7 @@ double Progress::gap(const Iteration& row) const {
   return std::max(0.0, reached - bound) / std::max({std::abs(reached), std::abs(bound), rounding});
 }
 
-void Progress::name_suspects(const Constrained& multipliers) {
+void Progress::name_infeasible_elements(const Constrained& multipliers) {
   const auto dim = static_cast<std::size_t>(work_.system.dim());
   std::vector<double> traces(work_.system.blocks(), 0.0);
   const auto add_traces = [&](const Blocks& Y, std::size_t d) {
@@ -150,7 +150,7 @@ void Progress::name_suspects(const Constrained& multipliers) {
   const auto trace = [&](int e) { return traces[static_cast<std::size_t>(e)]; };
   std::partial_sort(order.begin(), order.begin() + most, order.end(),
                     [&](int a, int b) { return trace(a) > trace(b); });
-  summary_.suspects.assign(order.begin(), order.begin() + most);
+  summary_.infeasible_elements.assign(order.begin(), order.begin() + most);
   std::array<char, 100> text{};
   std::snprintf(text.data(), text.size(), "; largest multiplier, at element %d: trace %.3g", order[0],
                 trace(order[0]));
@@ -196,12 +196,12 @@ void Progress::give_up(Status status, const std::string& reason, const Vector& x
     end(status == Status::failed ? Status::path_end : status, reason);
   else if (contradiction(x, multipliers.orientation))
     // Where stretch is bounded the multipliers of the orientations alone prove as much as ever.
-    end(Status::inadmissible,
+    end(Status::infeasible,
         "no position to speak of is strictly feasible: ex-rotations or hard targets contradict each other (" +
             reason + ")");
   else
     end(status, reason);
-  name_suspects(multipliers);
+  name_infeasible_elements(multipliers);
 }
 
 bool Progress::give_up_at_limit(const Vector& x, const Constrained& multipliers) {

@@ -51,12 +51,12 @@ class Progress {
   void record(Iteration row, const Vector& x, const Constrained& at_x, const Constrained& multipliers);
   bool ended() const { return driver_.ended(); }
   void end(Status status, std::string message) { driver_.end(status, std::move(message)); }
-  // Names suspects by their multipliers, and calls it inadmissible where these prove it.
+  // Names infeasible_elements by their multipliers, and calls it infeasible where these prove it.
   void give_up(Status status, const std::string& reason, const Vector& x, const Constrained& multipliers);
 
   // The same where max_iterations is reached; true when it is.
   bool give_up_at_limit(const Vector& x, const Constrained& multipliers);
-  // The same as inadmissible when the multipliers prove it already; true when it did.
+  // The same as infeasible when the multipliers prove it already; true when it did.
   bool give_up_contradicted(const Vector& x, const Constrained& multipliers);
 
   void count_solve() { ++summary_.linear_solves; }
@@ -72,7 +72,7 @@ class Progress {
  private:
   double gap(const Iteration& row) const;
   bool certified(const Iteration& row) const;
-  void name_suspects(const Constrained& multipliers);
+  void name_infeasible_elements(const Constrained& multipliers);
   bool contradiction(const Vector& x, Blocks Y);
   void count_infeasible(Iteration& row, const Constrained& at_x) const;
 

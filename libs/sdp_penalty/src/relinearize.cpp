@@ -42,7 +42,7 @@ void RelinearizeOptions::validate() const {
   require(soft_penalty > 0 && std::isfinite(soft_penalty), "soft_penalty must be positive");
 }
 
-Summary soft_answer(const Problem& problem, Vector& x, double soft_penalty, const Options& options) {
+Summary penalty_solution(const Problem& problem, Vector& x, double soft_penalty, const Options& options) {
   Options soft = options;
   soft.method = Method::penalty;
   soft.penalty = PenaltyOptions();
@@ -69,13 +69,13 @@ RelinearizeSummary solve_relinearized(const Problem& problem, Vector& x, const R
     round.linear_solves = result.last.linear_solves;
     round.status = result.last.status;
     if (!result.last.feasible()) {
-      Summary soft = soft_answer(round_problem, x, options.soft_penalty, options.solve);
-      round.soft = true;
+      Summary soft = penalty_solution(round_problem, x, options.soft_penalty, options.solve);
+      round.penalty_solution = true;
       round.linear_solves += soft.linear_solves;
       // The numbers are those of x; what the convex problem's solve has proved stays.
       soft.status = result.last.status;
       soft.message = result.last.message;
-      soft.suspects = std::move(result.last.suspects);
+      soft.infeasible_elements = std::move(result.last.infeasible_elements);
       soft.lower_bound = result.last.lower_bound;
       soft.unreachable_eigenvalue = result.last.unreachable_eigenvalue;
       soft.extent = result.last.extent;
@@ -90,8 +90,9 @@ RelinearizeSummary solve_relinearized(const Problem& problem, Vector& x, const R
     round.energy = energy(round_problem, x);
     round.seconds = timer.seconds();
     result.rounds.push_back(round);
-    result.settled = !round.soft && before - round.energy <= options.tolerance * std::abs(round.energy);
-    before = round.soft ? std::numeric_limits<double>::infinity() : round.energy;
+    result.settled =
+        !round.penalty_solution && before - round.energy <= options.tolerance * std::abs(round.energy);
+    before = round.penalty_solution ? std::numeric_limits<double>::infinity() : round.energy;
     result.stopped = callback && callback(round, x) == CallbackAction::stop;
   }
   return result;

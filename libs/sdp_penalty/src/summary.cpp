@@ -11,8 +11,8 @@ std::string_view status_name(Status status) noexcept {
       return "not_run";
     case Status::optimal:
       return "optimal";
-    case Status::inadmissible:
-      return "inadmissible";
+    case Status::infeasible:
+      return "infeasible";
     case Status::path_end:
       return "path_end";
     case Status::iterations:
@@ -31,7 +31,7 @@ SolveStatus outcome(Status status) noexcept {
       return SolveStatus::not_run;
     case Status::optimal:
       return SolveStatus::converged;
-    case Status::inadmissible:
+    case Status::infeasible:
       return SolveStatus::infeasible;
     case Status::path_end:
       return SolveStatus::stalled;

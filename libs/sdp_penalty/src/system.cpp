@@ -37,7 +37,7 @@ System::System(const Problem& problem)
       restriction_(problem.elements),
       hard_nodes_(hard_nodes(problem)) {
   assembly::PatternBuilder builder(problem.node_count());
-  restriction_.add_to(builder);
+  restriction_.add_stencil(builder);
   std::vector<bool> pinned(hard_nodes_.empty() ? 0 : size(dim_ * problem.node_count()), false);
   for (const int node : hard_nodes_)
     for (int r = 0; r < dim_; ++r) pinned[size(dim_ * node + r)] = true;
@@ -45,7 +45,7 @@ System::System(const Problem& problem)
                                       std::move(builder));
   blocks_ = assembly::BlockAssembler(restriction_, pattern_);
   quadratic_ = pattern_.zero_matrix();
-  bind(problem);
+  set_problem(problem);
 }
 
 bool System::has_structure_of(const Problem& problem) const {
@@ -53,7 +53,7 @@ bool System::has_structure_of(const Problem& problem) const {
          dim_ * problem.node_count() == pattern_.unknowns().dofs() && hard_nodes(problem) == hard_nodes_;
 }
 
-void System::bind(const Problem& problem) {
+void System::set_problem(const Problem& problem) {
   problem_ = &problem;
   by_dim(
       dim_, [&] { assemble_quadratic<2>(); }, [&] { assemble_quadratic<3>(); });
@@ -85,20 +85,20 @@ Vector System::with_hard_targets(Vector x) const {
   return x;
 }
 
-Vector System::unknown_part(const Vector& positions) const {
+Vector System::restrict_to_unknowns(const Vector& positions) const {
   Vector result(unknowns());
   for (int i = 0; i < unknowns(); ++i) result[i] = positions[pattern_.unknowns().dof(i)];
   return result;
 }
 
-Vector System::spread_out(const Vector& reduced) const {
+Vector System::prolongate(const Vector& reduced) const {
   Vector result = Vector::Zero(pattern_.unknowns().dofs());
   for (int i = 0; i < unknowns(); ++i) result[pattern_.unknowns().dof(i)] = reduced[i];
   return result;
 }
 
 double System::change_of_objective(const Vector& g, const Vector& dx, double step) const {
-  const Vector direction = unknown_part(dx);
+  const Vector direction = restrict_to_unknowns(dx);
   Vector image(direction.size());
   quadratic_.multiply(direction.data(), image.data());
   return step * g.dot(dx) + 0.5 * step * step * direction.dot(image);
@@ -265,7 +265,7 @@ void System::weighted_blocks(const Blocks& W, sparse::SymmetricMatrix& matrix) {
       matrix.value.data());
 }
 
-void System::weighted(const Blocks& W, sparse::SymmetricMatrix& matrix) {
+void System::assemble_normal_equations(const Blocks& W, sparse::SymmetricMatrix& matrix) {
   matrix.value = quadratic_.value;
   by_dim(
       dim_, [&] { weighted_blocks<2>(W, matrix); }, [&] { weighted_blocks<3>(W, matrix); });
@@ -300,7 +300,7 @@ void System::curved_blocks(const SpectralCurvature& curvature, sparse::Symmetric
       matrix.value.data());
 }
 
-void System::curved(const SpectralCurvature& curvature, sparse::SymmetricMatrix& matrix) const {
+void System::assemble_hessian(const SpectralCurvature& curvature, sparse::SymmetricMatrix& matrix) const {
   matrix.value = quadratic_.value;
   by_dim(
       dim_, [&] { curved_blocks<2>(curvature, matrix); }, [&] { curved_blocks<3>(curvature, matrix); });

@@ -38,10 +38,10 @@ class System {
   System(const System&) = delete;  // blocks_ refers to pattern_
   System& operator=(const System&) = delete;
 
-  // Whether the problem has the nodes of these elements and these hard targets, so that bind() serves.
+  // Whether the problem has the nodes of these elements and these hard targets, so that set_problem() serves.
   bool has_structure_of(const Problem& problem) const;
   // Takes the values of another problem; it must outlive their use.
-  void bind(const Problem& problem);
+  void set_problem(const Problem& problem);
 
   const Problem& problem() const { return *problem_; }
   int dim() const { return dim_; }
@@ -54,8 +54,8 @@ class System {
   // Hard targets where they belong, 0 elsewhere.
   Vector start() const { return with_hard_targets(Vector::Zero(pattern_.unknowns().dofs())); }
   // Entries of the unknowns, and back with 0 for what is held.
-  Vector unknown_part(const Vector& positions) const;
-  Vector spread_out(const Vector& unknowns) const;
+  Vector restrict_to_unknowns(const Vector& positions) const;
+  Vector prolongate(const Vector& unknowns) const;
 
   // f(x + dx) - f(x) without cancellation, from the gradient at x.
   double change_of_objective(const Vector& gradient, const Vector& dx, double step) const;
@@ -77,9 +77,9 @@ class System {
   // H0 itself, with the pattern of every matrix here.
   const sparse::SymmetricMatrix& quadratic() const { return quadratic_; }
   // matrix = H0 + A^T (W (x) W) A for symmetric W: the form sum tr(W dS W dS).
-  void weighted(const Blocks& W, sparse::SymmetricMatrix& matrix);
+  void assemble_normal_equations(const Blocks& W, sparse::SymmetricMatrix& matrix);
   // matrix = H0 + A^T (curvature) A.
-  void curved(const SpectralCurvature& curvature, sparse::SymmetricMatrix& matrix) const;
+  void assemble_hessian(const SpectralCurvature& curvature, sparse::SymmetricMatrix& matrix) const;
 
   // det F of every element.
   std::vector<double> determinants(const Vector& x) const;
@@ -107,7 +107,8 @@ class System {
   assembly::HessianPattern pattern_;
   assembly::BlockAssembler blocks_;
   sparse::SymmetricMatrix quadratic_;
-  std::vector<double> image_;  // scratch of weighted(): R W R^T, then R W g_a for every corner
+  std::vector<double>
+      image_;  // scratch of assemble_normal_equations(): R W R^T, then R W g_a for every corner
 };
 
 // g -= the adjoints of multipliers: the gradient of the Lagrangian from that of the objective.

@@ -90,7 +90,7 @@ TEST_CASE("bounds that cannot be had give a defined outcome") {
   const auto summary = sdp_penalty::solve(problem, x);
   CHECK(summary.status != Status::optimal);
   CHECK(x.allFinite());
-  CHECK_FALSE(summary.suspects.empty());
+  CHECK_FALSE(summary.infeasible_elements.empty());
 }
 
 TEST_CASE("re-linearised with bounds: distortion stays bounded while the rotations adapt") {
@@ -105,7 +105,7 @@ TEST_CASE("re-linearised with bounds: distortion stays bounded while the rotatio
   CHECK(after.largest <= 3 + 1e-9);
 }
 
-TEST_CASE("re-linearised with bounds that cannot be had: soft answers, no exception") {
+TEST_CASE("re-linearised with bounds that cannot be had: penalty solutions, no exception") {
   Problem problem = tests::bar_pushed_through();
   for (auto& target : problem.targets) target.hard = true;
   problem.largest_stretch = 1.5;
@@ -114,7 +114,7 @@ TEST_CASE("re-linearised with bounds that cannot be had: soft answers, no except
   Vector x;
   const auto summary = sdp_penalty::solve_relinearized(problem, x, options);
   CHECK(summary.rounds.size() == 2);
-  CHECK(summary.rounds.front().soft);
+  CHECK(summary.rounds.front().penalty_solution);
   CHECK(summary.last.status != Status::optimal);
   CHECK(summary.last.energy < std::numeric_limits<double>::infinity());
 }

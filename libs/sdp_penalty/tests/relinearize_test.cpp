@@ -42,23 +42,23 @@ TEST_CASE("rounds stay feasible and lower the energy until it settles") {
     CHECK(summary.last.inverted == 0);
     for (std::size_t i = 0; i < summary.rounds.size(); ++i) {
       CAPTURE(i);
-      CHECK_FALSE(summary.rounds[i].soft);
+      CHECK_FALSE(summary.rounds[i].penalty_solution);
       CHECK(summary.rounds[i].inverted == 0);
       if (i > 0) CHECK(summary.rounds[i].energy <= summary.rounds[i - 1].energy * (1 + 1e-6));
     }
   }
 }
 
-TEST_CASE("wild ex-rotations are inadmissible; the soft answer leads on to a shape without inversions") {
+TEST_CASE("wild ex-rotations are infeasible; the penalty solution leads on to a shape without inversions") {
   const Problem problem = randomly_rotated(8, 180);
   Vector x;
   const auto convex = sdp_penalty::solve(problem, x);
   MESSAGE(convex.message << " " << convex.unreachable_eigenvalue);
-  CHECK(convex.status == Status::inadmissible);
-  CHECK(convex.suspects.size() == 10);
+  CHECK(convex.status == Status::infeasible);
+  CHECK(convex.infeasible_elements.size() == 10);
   CHECK(convex.unreachable_eigenvalue < 1e-2);
   const auto summary = sdp_penalty::solve_relinearized(problem, x);
-  CHECK(summary.rounds.front().soft);
+  CHECK(summary.rounds.front().penalty_solution);
   CHECK(summary.settled);
   CHECK(summary.last.inverted == 0);
   // All targets are at rest: the rest shape is the best there is.
@@ -70,7 +70,7 @@ TEST_CASE("rotations that are a little off are no contradiction") {
   CHECK(sdp_penalty::solve(randomly_rotated(8, 20), x).status == Status::optimal);
 }
 
-TEST_CASE("the soft answer gives way where the constraints cannot be had") {
+TEST_CASE("the penalty solution gives way where the constraints cannot be had") {
   Problem problem = tests::bar_pushed_through();
   for (auto& target : problem.targets) {
     target.hard = true;
@@ -78,8 +78,8 @@ TEST_CASE("the soft answer gives way where the constraints cannot be had") {
     if (target.position[0] < 0) target.position[0] -= target.position[1];
   }
   Vector loose, firm;
-  const auto a = sdp_penalty::soft_answer(problem, loose, 1);
-  const auto b = sdp_penalty::soft_answer(problem, firm, 1e6);
+  const auto a = sdp_penalty::penalty_solution(problem, loose, 1);
+  const auto b = sdp_penalty::penalty_solution(problem, firm, 1e6);
   CHECK(loose.allFinite());
   CHECK(b.min_eigenvalue > a.min_eigenvalue + 0.01);
   CHECK(b.min_eigenvalue < 0);

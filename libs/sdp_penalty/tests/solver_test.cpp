@@ -55,10 +55,10 @@ TEST_CASE("all methods meet at one optimum, and none claims more than it has") {
   }
 }
 
-TEST_CASE("skinning alone is the first row of every method") {
+TEST_CASE("the unconstrained minimiser alone is the first row of every method") {
   const Problem problem = tests::swirl(12, 150);
   Vector skinned, x;
-  const auto first = sdp_penalty::solve(problem, skinned, options_for(Method::skinning));
+  const auto first = sdp_penalty::solve(problem, skinned, options_for(Method::unconstrained));
   CHECK(first.status == Status::path_end);
   CHECK(first.inverted > 0);
   CHECK(std::isnan(first.gap));
@@ -79,7 +79,7 @@ TEST_CASE("hard targets are met exactly, and cost what soft ones of great alpha 
       CAPTURE(hard.message);
       if (problem.dim() == 3) {  // pushed through without giving way: nothing is feasible
         CHECK(hard.status != Status::optimal);
-        CHECK(hard.suspects.size() == 10);
+        CHECK(hard.infeasible_elements.size() == 10);
       } else {
         CHECK(soft.status == Status::optimal);
         CHECK(hard.status == Status::optimal);
@@ -93,14 +93,14 @@ TEST_CASE("hard targets are met exactly, and cost what soft ones of great alpha 
   }
 }
 
-TEST_CASE("hard targets that no feasible position meets are called inadmissible") {
+TEST_CASE("hard targets that no feasible position meets are called infeasible") {
   Problem problem = tests::bar_pushed_through();
   for (auto& target : problem.targets) target.hard = true;
   Vector x;
   const auto summary = sdp_penalty::solve(problem, x);
-  CHECK(summary.status == Status::inadmissible);
+  CHECK(summary.status == Status::infeasible);
   CHECK(summary.unreachable_eigenvalue < 0);
-  CHECK_FALSE(summary.suspects.empty());
+  CHECK_FALSE(summary.infeasible_elements.empty());
 }
 
 TEST_CASE("a handle on every node: hard ones leave nothing to do") {
@@ -215,7 +215,7 @@ TEST_CASE("iterations of penalty methods that end early name the reason") {
   const auto summary = sdp_penalty::solve(tests::swirl(12, 150), x, options);
   CHECK(summary.status == Status::iterations);
   CHECK(summary.iterations == 3);
-  CHECK_FALSE(summary.suspects.empty());
+  CHECK_FALSE(summary.infeasible_elements.empty());
 }
 
 TEST_CASE("every method is the same to the bit for any number of threads") {
@@ -234,7 +234,7 @@ TEST_CASE("every method is the same to the bit for any number of threads") {
   omp_set_num_threads(before);
 }
 
-TEST_CASE("ex-rotations of one and of two full turns: certified, or proved to be inadmissible") {
+TEST_CASE("ex-rotations of one and of two full turns: certified, or proved to be infeasible") {
   for (const double degrees : {360.0, 720.0})
     for (const Problem& problem : {tests::swirl(12, degrees), tests::swirl_in_space(4, degrees)}) {
       CAPTURE(degrees);
@@ -245,8 +245,8 @@ TEST_CASE("ex-rotations of one and of two full turns: certified, or proved to be
       if (summary.status == Status::optimal) {
         CHECK(summary.inverted == 0);
       } else {
-        CHECK(summary.status == Status::inadmissible);
-        CHECK(summary.suspects.size() == 10);
+        CHECK(summary.status == Status::infeasible);
+        CHECK(summary.infeasible_elements.size() == 10);
       }
     }
 }
@@ -295,7 +295,7 @@ TEST_CASE("energies that overflow are a failure, and feasible is not claimed") {
   }
 }
 
-TEST_CASE("one triangle turned over by hard targets is inadmissible") {
+TEST_CASE("one triangle turned over by hard targets is infeasible") {
   Problem problem = tests::swirl(1, 0);
   problem.targets = {{0, {0, 0}, true}, {1, {-1, 0}, true}, {2, {0, 1}, true}, {3, {-1, 1}, true}};
   Vector x;
@@ -303,7 +303,7 @@ TEST_CASE("one triangle turned over by hard targets is inadmissible") {
   problem = tests::bar_pushed_through();
   for (auto& target : problem.targets) target.hard = true;
   const auto summary = sdp_penalty::solve(problem, x);
-  CHECK(summary.status == Status::inadmissible);
+  CHECK(summary.status == Status::infeasible);
   CHECK(summary.iterations < 40);  // it does not wait for the last
 }
 
@@ -313,7 +313,7 @@ TEST_CASE("a gap that rounding cannot close is no failure") {
   Vector x;
   const auto summary = sdp_penalty::solve(tests::swirl(16, 150), x, options);
   CHECK(summary.status != Status::failed);
-  CHECK(summary.status != Status::inadmissible);
+  CHECK(summary.status != Status::infeasible);
   CHECK(summary.feasible());
   CHECK(summary.gap < 1e-7);
 }

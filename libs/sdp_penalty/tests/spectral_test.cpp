@@ -195,7 +195,7 @@ TEST_CASE("the element blocks are the Hessian of the spectral term, in 2D and 3D
     penalty.evaluate(problem.dim(), S, state);
     REQUIRE(state.active() > 0);
     sparse::SymmetricMatrix matrix = system.quadratic();
-    system.curved(state.curvature, matrix);
+    system.assemble_hessian(state.curvature, matrix);
     const double whole = dx.dot(matrix.multiply(dx)), elastic = dx.dot(system.quadratic().multiply(dx));
     CHECK(whole - elastic == doctest::Approx(curvature_along(penalty, problem.dim(), S, dS)).epsilon(1e-10));
     // And the quadratic part is that of the energy.
@@ -224,7 +224,7 @@ TEST_CASE("the adjoint of the constraints is one, and the weighted matrix is the
     for (std::size_t k = 0; k < S.size(); ++k) inner += M[k] * S[k];
     CHECK(pulled.dot(x) == doctest::Approx(inner).epsilon(1e-11));
     sparse::SymmetricMatrix matrix = system.quadratic();
-    system.weighted(M, matrix);
+    system.assemble_normal_equations(M, matrix);
     const auto d = static_cast<std::size_t>(problem.dim());
     double form = 0;  // sum tr(M S M S)
     for (std::size_t e = 0; e < system.blocks(); ++e)

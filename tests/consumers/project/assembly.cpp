@@ -18,10 +18,10 @@ int main() {
   isostretch::assembly::EnergyAssembler assembler(elements,
                                                   isostretch::energies::make_energy("stable_neo_hookean"));
   isostretch::assembly::PatternBuilder builder(4);
-  assembler.add_to(builder);
+  assembler.add_stencil(builder);
   const isostretch::assembly::HessianPattern pattern(isostretch::assembly::FreeUnknowns(2, 4),
                                                      std::move(builder));
-  assembler.bind(pattern);
+  assembler.set_pattern(pattern);
 
   Eigen::VectorXd x(8), direction(8);
   x << 0, 0, 1.3, 0.1, -0.2, 0.8, 1, 1.1;

@@ -29,10 +29,10 @@ class Discs final : public newton::Term {
   }
   bool has_moving_stencil() const override { return true; }
   int stencil_version() const override { return version_; }
-  void add_to(assembly::PatternBuilder& builder) const override {
+  void add_stencil(assembly::PatternBuilder& builder) const override {
     for (const auto& [i, j] : pairs_) builder.add_pair(i, j);
   }
-  void bind(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
+  void set_pattern(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
 
   assembly::Evaluation value(const Vector& x) override {
     assembly::Evaluation at;

@@ -47,8 +47,8 @@ static newton::Summary flatten(const char* file, mesh::Points2& uv) {
 class Pull final : public newton::Term {
  public:
   explicit Pull(Vector force) : force_(std::move(force)) {}
-  void add_to(assembly::PatternBuilder&) const override {}  // nodes have their diagonal blocks
-  void bind(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
+  void add_stencil(assembly::PatternBuilder&) const override {}  // nodes have their diagonal blocks
+  void set_pattern(const assembly::HessianPattern& pattern) override { pattern_ = &pattern; }
   assembly::Evaluation value(const Vector& x) override {
     assembly::Evaluation at;
     at.value = 0.5 * x.squaredNorm() - force_.dot(x);

@@ -98,7 +98,7 @@ newton::Summary run(const DistortionProblem& problem, Vector& x, const MethodOpt
 
 std::vector<Method> anderson_methods() {
   return {{{"anderson", "Anderson-accelerated local-global", "Peng et al. 2018", Family::constant_metric},
-           unsuited_to_local_global,
+           why_not_local_global,
            run}};
 }
 

@@ -31,7 +31,7 @@ inline Eigen::Matrix2d chen_weber_scaling(const Eigen::Matrix2d& A) {
 
 struct ChenWeberRule {
   template <int Dim>
-  void operator()(const invariants::Stretch<Dim, double>&,
+  void operator()(const invariants::PrincipalStretches<Dim, double>&,
                   invariants::StretchDerivatives<Dim, double>& d) const {
     if constexpr (Dim == 2) {
       const Eigen::Matrix2d A = scaling_matrix<2>(d), closed = chen_weber_scaling(A);

@@ -16,7 +16,7 @@ namespace isostretch::baselines {
 // these are positive.
 struct ConesRule {
   template <int Dim>
-  void operator()(const invariants::Stretch<Dim, double>& s,
+  void operator()(const invariants::PrincipalStretches<Dim, double>& s,
                   invariants::StretchDerivatives<Dim, double>& d) const {
     if constexpr (Dim == 2) {
       constexpr double nothing = 1e-7;  // of the published code: below, the quotient is rounding
@@ -34,7 +34,7 @@ struct ConesRule {
 // with sigma < 1, a stiffness that is bounded here.
 struct SingularValuesRule {
   template <int Dim>
-  void operator()(const invariants::Stretch<Dim, double>& s,
+  void operator()(const invariants::PrincipalStretches<Dim, double>& s,
                   invariants::StretchDerivatives<Dim, double>& d) const {
     if constexpr (Dim == 2) {
       constexpr double least_difference = 1e-6;
@@ -51,7 +51,7 @@ struct SingularValuesRule {
 // |F|^2, and its steps are those of local-global.
 struct AlphaBetaRule {
   template <int Dim>
-  void operator()(const invariants::Stretch<Dim, double>&,
+  void operator()(const invariants::PrincipalStretches<Dim, double>&,
                   invariants::StretchDerivatives<Dim, double>& d) const {
     for (int i = 0; i < Dim; ++i) d.diagonal[i] = 2;
     for (int i = 0; i < d.pairs; ++i) {

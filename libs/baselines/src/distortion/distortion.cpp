@@ -28,8 +28,8 @@ Method method_named(std::string_view name) {
   throw Error("there is no method '" + std::string(name) + "', there are: " + names);
 }
 
-std::string why_unsuited(const Method& method, const DistortionProblem& problem) {
-  return method.unsuited ? method.unsuited(problem) : std::string();
+std::string why_method_not_applicable(const Method& method, const DistortionProblem& problem) {
+  return method.why_not_applicable ? method.why_not_applicable(problem) : std::string();
 }
 
 }  // namespace
@@ -74,9 +74,9 @@ std::vector<MethodInfo> methods() {
   return infos;
 }
 
-std::string unsuited(std::string_view method, const DistortionProblem& problem) {
+std::string why_not_applicable(std::string_view method, const DistortionProblem& problem) {
   problem.validate();
-  return why_unsuited(method_named(method), problem);
+  return why_method_not_applicable(method_named(method), problem);
 }
 
 newton::Summary minimize(std::string_view name, const DistortionProblem& problem, Vector& x,
@@ -88,7 +88,7 @@ newton::Summary minimize(std::string_view name, const DistortionProblem& problem
   if (x.size() != size)
     throw Error("the start has " + std::to_string(x.size()) + " entries, the elements need " +
                 std::to_string(size));
-  if (const std::string why = why_unsuited(method, problem); !why.empty())
+  if (const std::string why = why_method_not_applicable(method, problem); !why.empty())
     throw Error("'" + std::string(name) + "' does not suit the problem: " + why);
   return method.run(problem, x, options, callback);
 }

@@ -1,4 +1,5 @@
 // Methods that are Newton's with other eigenvalues at every quadrature point.
+#include "applicability.hpp"
 #include "chen_weber_rule.hpp"
 #include "composite_majorization_rules.hpp"
 #include "eigenvalue_rule.hpp"
@@ -8,7 +9,6 @@
 #include "smith_2018_rule.hpp"
 #include "stomakhin_rule.hpp"
 #include "teran_rule.hpp"
-#include "unsuited.hpp"
 
 #include <memory>
 

@@ -45,7 +45,7 @@ class RuledEnergy final : public energies::ChunkEnergy {
       const auto at = [&](auto* data, int entry) -> auto& {
         return data[static_cast<std::size_t>(entry) * chunk.stride + static_cast<std::size_t>(i)];
       };
-      invariants::Stretch<Dim, double> s;
+      invariants::PrincipalStretches<Dim, double> s;
       invariants::StretchDerivatives<Dim, double> d;
       d.psi = chunk.psi[i];
       for (int e = 0; e < Dim; ++e) {

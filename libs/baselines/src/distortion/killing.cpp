@@ -1,9 +1,9 @@
 #include "killing.hpp"
 
+#include "applicability.hpp"
 #include "method_registry.hpp"
 #include "newton_driver.hpp"
 #include "shear_modulus.hpp"
-#include "unsuited.hpp"
 
 #include <Eigen/LU>
 
@@ -43,7 +43,7 @@ void KillingTerm::model_elements(const Vector& x) {
 
 namespace {
 
-std::string unsuited(const DistortionProblem& problem) {
+std::string why_not_applicable(const DistortionProblem& problem) {
   return needs_barrier(problem);
 }
 
@@ -57,7 +57,7 @@ newton::Summary run(const DistortionProblem& problem, Vector& x, const MethodOpt
 
 std::vector<Method> killing() {
   return {{{"killing", "isometry-aware preconditioning", "Claici et al. 2017", Family::majorization},
-           unsuited,
+           why_not_applicable,
            run}};
 }
 

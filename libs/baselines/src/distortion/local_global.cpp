@@ -112,7 +112,7 @@ void LocalGlobal::apply(const Vector& x, SharedPieces& pieces, Vector& result) {
   result += pins_alone_;
 }
 
-std::string unsuited_to_local_global(const DistortionProblem& problem) {
+std::string why_not_local_global(const DistortionProblem& problem) {
   if (problem.energy.name() == "arap") return "";
   return "its local step is the closest rotation, which minimises 'arap' and not '" + problem.energy.name() +
          "'";
@@ -129,7 +129,7 @@ Step full_step_to(const Iterate& at, Vector next) {
 
 std::vector<Method> local_global_methods() {
   return {{{"local_global", "local-global", "Sorkine, Alexa 2007; Liu et al. 2008", Family::constant_metric},
-           unsuited_to_local_global,
+           why_not_local_global,
            run}};
 }
 

@@ -41,7 +41,7 @@ class LocalGlobal {
 };
 
 // Why local-global is none for a problem; empty for ARAP.
-std::string unsuited_to_local_global(const DistortionProblem& problem);
+std::string why_not_local_global(const DistortionProblem& problem);
 
 // G(x) as a step from the iterate.
 Step full_step_to(const Iterate& at, Vector next);

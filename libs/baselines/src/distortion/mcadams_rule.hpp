@@ -11,7 +11,7 @@ namespace isostretch::baselines {
 // twists, is clamped, and nothing else needs to be looked at.
 struct McAdamsRule {
   template <int Dim>
-  void operator()(const invariants::Stretch<Dim, double>&,
+  void operator()(const invariants::PrincipalStretches<Dim, double>&,
                   invariants::StretchDerivatives<Dim, double>& d) const {
     for (int i = 0; i < d.pairs; ++i) d.twist[i] = std::max(0.0, d.twist[i]);
   }

@@ -10,7 +10,8 @@ namespace isostretch::baselines {
 // One method for distortion energies, given a valid problem that suits it.
 struct Method {
   MethodInfo info;
-  std::string (*unsuited)(const DistortionProblem&) = nullptr;  // as baselines::unsuited(); null: suits all
+  std::string (*why_not_applicable)(const DistortionProblem&) =
+      nullptr;  // as baselines::why_not_applicable(); null: suits all
   newton::Summary (*run)(const DistortionProblem&, Vector& x, const MethodOptions&,
                          const newton::IterationCallback&) = nullptr;
 };

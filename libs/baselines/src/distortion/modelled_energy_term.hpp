@@ -21,8 +21,8 @@ class ModelledEnergyTerm : public newton::Term {
     newton::require_fitting("an energy term", assembler_.dim(), assembler_.node_count(), dim, node_count);
   }
   int element_not_finite() const override { return assembler_.element_not_finite(); }
-  void add_to(assembly::PatternBuilder& builder) const override { assembler_.add_to(builder); }
-  void bind(const assembly::HessianPattern& pattern) override { assembler_.bind(pattern); }
+  void add_stencil(assembly::PatternBuilder& builder) const override { assembler_.add_stencil(builder); }
+  void set_pattern(const assembly::HessianPattern& pattern) override { assembler_.set_pattern(pattern); }
   newton::Evaluation value(const Vector& x) override { return assembler_.value(x.data()); }
   newton::Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
                                    bool hessian) override;

@@ -10,7 +10,7 @@ namespace {
 
 template <int Dim>
 double shear(const energies::AnyEnergy& energy) {
-  invariants::Stretch<Dim, double> rest;
+  invariants::PrincipalStretches<Dim, double> rest;
   std::fill_n(rest.sigma, Dim, 1.0);
   try {
     const double modulus = 0.5 * energies::derivatives_at(energy, rest).flip[0];

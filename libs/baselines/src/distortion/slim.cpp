@@ -1,8 +1,8 @@
 #include "slim.hpp"
 
+#include "applicability.hpp"
 #include "method_registry.hpp"
 #include "newton_driver.hpp"
-#include "unsuited.hpp"
 
 #include <isostretch/linalg/decompositions.hpp>
 
@@ -18,8 +18,9 @@ namespace {
 // the curvature as its limit. Of the scale-invariant energies t moves with sigma, and the quotient is written
 // out: t^2 is the product of the stretches for MIPS, the mean of their squares for conformal AMIPS.
 template <int Dim>
-double slope_over_distance(const energies::AnyEnergy& energy, const invariants::Stretch<Dim, double>& s,
-                           int i, double slope, double curvature) {
+double slope_over_distance(const energies::AnyEnergy& energy,
+                           const invariants::PrincipalStretches<Dim, double>& s, int i, double slope,
+                           double curvature) {
   constexpr double meeting = 1e-8;
   if (energy.name() == "mips_2d") {
     const double other = s.others(i), root = std::sqrt(s[i]);
@@ -56,7 +57,7 @@ struct Batch {
   }
   // omega^2 by direction.
   Eigen::Matrix<double, Dim, 1> squared_weights(const energies::AnyEnergy& energy, int i) const {
-    invariants::Stretch<Dim, double> s;
+    invariants::PrincipalStretches<Dim, double> s;
     for (int e = 0; e < Dim; ++e) s.sigma[e] = sigma[index(e, i)];
     Eigen::Matrix<double, Dim, 1> squared;
     for (int e = 0; e < Dim; ++e)
@@ -109,7 +110,7 @@ void SlimTerm::model_elements(const Vector& x) {
 namespace {
 
 // Energies whose stress has the sign of sigma - t in every direction: the others have no such weights.
-std::string unsuited(const DistortionProblem& problem) {
+std::string why_not_applicable(const DistortionProblem& problem) {
   return needs_energy(problem, {"arap", "symmetric_arap", "symmetric_dirichlet", "symmetric_gradient",
                                 "mips_2d", "conformal_amips_3d"});
 }
@@ -123,7 +124,7 @@ newton::Summary run(const DistortionProblem& problem, Vector& x, const MethodOpt
 }  // namespace
 
 std::vector<Method> slim() {
-  return {{{"slim", "SLIM", "Rabinovich et al. 2017", Family::majorization}, unsuited, run}};
+  return {{{"slim", "SLIM", "Rabinovich et al. 2017", Family::majorization}, why_not_applicable, run}};
 }
 
 }  // namespace isostretch::baselines

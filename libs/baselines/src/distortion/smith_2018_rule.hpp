@@ -16,7 +16,7 @@ namespace isostretch::baselines {
 // the energy has to be known.
 struct Smith2018Rule {
   template <int Dim>
-  void operator()(const invariants::Stretch<Dim, double>&,
+  void operator()(const invariants::PrincipalStretches<Dim, double>&,
                   invariants::StretchDerivatives<Dim, double>& d) const {
     const ScalingMatrix<Dim> A = scaling_matrix<Dim>(d);
     ScalingMatrix<Dim> first_two;

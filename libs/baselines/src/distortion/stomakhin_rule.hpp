@@ -15,7 +15,7 @@ struct StomakhinRule {
   static constexpr double least_denominator = 1e-6;
 
   template <int Dim>
-  void operator()(const invariants::Stretch<Dim, double>& s,
+  void operator()(const invariants::PrincipalStretches<Dim, double>& s,
                   invariants::StretchDerivatives<Dim, double>& d) const {
     Eigen::SelfAdjointEigenSolver<ScalingMatrix<Dim>> eigen;
     eigen.computeDirect(scaling_matrix<Dim>(d));

@@ -9,7 +9,7 @@ namespace isostretch::baselines {
 // (flip + twist) / 2, q = (flip - twist) / 2. Each is diagonalised numerically and clamped.
 struct TeranRule {
   template <int Dim>
-  void operator()(const invariants::Stretch<Dim, double>&,
+  void operator()(const invariants::PrincipalStretches<Dim, double>&,
                   invariants::StretchDerivatives<Dim, double>& d) const {
     set_scaling_matrix<Dim>(nearest_semidefinite<Dim>(scaling_matrix<Dim>(d)), d);
     for (int i = 0; i < d.pairs; ++i) {

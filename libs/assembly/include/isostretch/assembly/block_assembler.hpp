@@ -19,8 +19,8 @@ class BlockAssembler {
   /// Makes an assembler without a pattern, to be assigned to.
   BlockAssembler() = default;
   /// Lists for every block of the pattern which elements add to it. The pattern must hold every pair of nodes
-  /// of an element, as Restriction::add_to() adds them, and outlive this object where it is. Throws Error if
-  /// it does not hold them, or if there are too many elements to number their blocks in 31 bits.
+  /// of an element, as Restriction::add_stencil() adds them, and outlive this object where it is. Throws
+  /// Error if it does not hold them, or if there are too many elements to number their blocks in 31 bits.
   BlockAssembler(const Restriction& restriction, const HessianPattern& pattern);
 
   /// Returns the number of pairs a <= b of an element's nodes.

@@ -53,10 +53,10 @@ class EnergyAssembler {
   double scale() const { return scale_; }
 
   /// Adds all pairs of nodes within an element to the pattern.
-  void add_to(PatternBuilder& builder) const { restriction_.add_to(builder); }
-  /// Prepares add_hessian() for a pattern that holds what add_to() added. The pattern must outlive this
+  void add_stencil(PatternBuilder& builder) const { restriction_.add_stencil(builder); }
+  /// Prepares add_hessian() for a pattern that holds what add_stencil() added. The pattern must outlive this
   /// object where it is.
-  void bind(const HessianPattern& pattern);
+  void set_pattern(const HessianPattern& pattern);
 
   /// Returns the energy at positions x.
   Evaluation value(const double* x);

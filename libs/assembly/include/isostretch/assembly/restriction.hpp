@@ -36,7 +36,7 @@ class Restriction {
   }
 
   /// Adds all pairs of nodes within an element to the pattern.
-  void add_to(PatternBuilder& builder) const;
+  void add_stencil(PatternBuilder& builder) const;
 
   /// Adds to the `dim` (2 or 3) entries of every node of x what the corners hold, [element][node][dim]. Runs
   /// in parallel, and gives the same bits for any number of threads: corners of a node are summed in the

@@ -60,11 +60,11 @@ std::vector<MethodInfo> methods();
 
 /// Returns why a method is none for a problem (its dimension, energy or elements); empty where it is one.
 /// Throws Error for an unknown name, listing those there are.
-std::string unsuited(std::string_view method, const DistortionProblem& problem);
+std::string why_not_applicable(std::string_view method, const DistortionProblem& problem);
 
 /// Runs a method from x, which ends as the last positions of the trace (methods that are not monotone may
 /// have seen better ones on the way). Throws Error for an unknown name, an invalid problem or options, and
-/// where the method is unsuited; numerical outcomes are the Summary's status. The callback sees every
+/// where the method is not applicable; numerical outcomes are the Summary's status. The callback sees every
 /// iterate; its time counts.
 newton::Summary minimize(std::string_view method, const DistortionProblem& problem, Vector& x,
                          const MethodOptions& options = {}, const newton::IterationCallback& callback = {});

@@ -21,7 +21,7 @@ enum class Status {
   time_limit,         ///< the deadline of Options::stop
   memory_limit,       ///< Limits::megabytes, or there was no more
   claims_infeasible,  ///< it says that the problem has no (strictly) feasible point
-  unsuited,           ///< it does not take this instance: too large, or of the wrong kind
+  not_applicable,     ///< it does not take this instance: too large, or of the wrong kind
   unavailable,        ///< not found when this was built, or not installed where it runs
   failed,             ///< its own error
   crashed,            ///< its process was ended by a signal that nobody here sent

@@ -38,8 +38,8 @@ using PointCallback = std::function<CallbackAction(const Point&, const Vector& x
 
 /// What a solver solves.
 enum class Kind {
-  convex,  ///< the problem itself: all of these have the same optimum
-  nearby   ///< another formulation of inversion-free manipulation, with another optimum or none
+  convex,      ///< the problem itself: all of these have the same optimum
+  alternative  ///< another formulation of inversion-free manipulation, with another optimum or none
 };
 
 /// A solver that there is, and whether it can run here.
@@ -49,7 +49,7 @@ struct SolverInfo {
   std::string_view source;  ///< paper or program
   Kind kind = Kind::convex;
   std::string needs;            ///< what is missing for it to run; empty where it can
-  bool bounds_stretch = false;  ///< knows Problem::largest_stretch; the others are `unsuited` for it
+  bool bounds_stretch = false;  ///< knows Problem::largest_stretch; the others are not applicable for it
   bool available() const { return needs.empty(); }
 };
 

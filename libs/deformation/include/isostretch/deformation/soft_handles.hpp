@@ -17,9 +17,9 @@ class SoftHandles final : public newton::Term {
   void move(std::vector<newton::SoftPin> pins);
 
   /// Adds the pairs of nodes that the term couples.
-  void add_to(assembly::PatternBuilder& builder) const override { term_->add_to(builder); }
+  void add_stencil(assembly::PatternBuilder& builder) const override { term_->add_stencil(builder); }
   /// Prepares add_hessian() for a pattern, which must outlive this object.
-  void bind(const assembly::HessianPattern& pattern) override;
+  void set_pattern(const assembly::HessianPattern& pattern) override;
   /// Returns the energy of the pins at positions x.
   newton::Evaluation value(const Vector& x) override { return term_->value(x); }
   /// Returns the energy of the pins at positions x and adds its gradient; prepares the Hessian where that is

@@ -129,10 +129,6 @@ struct PrincipalStretches {
   static constexpr double sum_floor_absolute = 1e-100;  ///< The least sum of a pair.
 };
 
-/// The former name of PrincipalStretches, which code outside these libraries may have.
-template <int Dim, class T>
-using Stretch = PrincipalStretches<Dim, T>;
-
 /// The value and the derivatives of an energy at one stretch, in the frame of the singular vectors: all that
 /// the pipeline needs. With A the Hessian of psi as a function of sigma, the Hessian over F is (Smith, de
 /// Goes, Kim 2019, section 4)

@@ -21,8 +21,8 @@ struct Format {
 };
 
 /// Adds a format to those that read_surface(), read_tets(), read_elements(), write_surface() and write_tets()
-/// know by the extension of a file. May be called while other threads read. Throws Error for an extension that
-/// is none or taken, and for a format without any function.
+/// know by the extension of a file. May be called while other threads read. Throws Error for an extension
+/// that is none or taken, and for a format without any function.
 void register_format(Format format);
 
 }  // namespace isostretch::mesh

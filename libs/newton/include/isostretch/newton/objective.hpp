@@ -9,11 +9,11 @@
 namespace isostretch::newton {
 
 class MovingPattern;
-class TiedUnknowns;
+class EqualityConstraints;
 
 /// A sum of terms over the positions of nodes, some of which may be pinned hard: those keep the values that
-/// the start of a solve gives them; others may be tied, one coordinate of several nodes to each other. Pins
-/// and ties are eliminated from the linear systems.
+/// the start of a solve gives them; others may be constrained, one coordinate of several nodes to each other.
+/// Pins and equality constraints are eliminated from the linear systems.
 ///
 /// The sparsity of the Hessian is that of the terms whose stencil stays, made once, and of those whose
 /// stencil moves (Term::has_moving_stencil), made again after each move and merged with the first in a time
@@ -45,9 +45,9 @@ class Objective {
   void pin(int node, int axis);
 
   /// Makes the coordinate along `axis` the same for both nodes, in the start of a solve and ever after: nodes
-  /// on a line across the axis. Ties add up; one pinned coordinate pins all that are tied to it. Throws Error
-  /// when a node or the axis is out of range.
-  void tie(int node, int other, int axis);
+  /// on a line across the axis. Ties add up; one pinned coordinate pins all that are constrained to it.
+  /// Throws Error when a node or the axis is out of range.
+  void add_equality(int node, int other, int axis);
 
   int dim() const { return dim_; }
   int node_count() const { return node_count_; }
@@ -58,7 +58,7 @@ class Objective {
   /// pins.
   const assembly::HessianPattern& pattern();
 
-  /// Counts the terms, pins and ties added: another number than before means another pattern.
+  /// Counts the terms, pins and equality constraints added: another number than before means another pattern.
   int version() const { return version_; }
   /// Counts the changes of stencils that move, as zero_matrix() and differentiate() have met them: another
   /// number than before means another pattern of zero_matrix(), of the same unknowns.
@@ -78,7 +78,7 @@ class Objective {
   Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
                            bool hessian);
   /// Sets values to the Hessian of the last differentiate() over the unknowns: what is neither pinned nor
-  /// tied, and every set of tied coordinates. `matrix` has the pattern of zero_matrix().
+  /// constrained, and every set of constrained coordinates. `matrix` has the pattern of zero_matrix().
   void hessian(sparse::SymmetricMatrix& matrix);
   /// Returns an element to which a gradient or Hessian that is not finite can be traced, after
   /// differentiate(), and -1 if none of the terms knows of one.
@@ -96,8 +96,8 @@ class Objective {
   void extend(const Vector& reduced, Vector& direction);
   /// Returns the axis of every unknown.
   std::vector<int> axes();
-  /// Throws Error naming two nodes that are tied but differ in x.
-  void require_tied(const Vector& x) const;
+  /// Throws Error naming two nodes that are constrained but differ in x.
+  void require_equalities(const Vector& x) const;
 
   /// Returns the largest t <= limit for which x + s dx is in every term's domain for all 0 <= s < t.
   double max_step(const Vector& x, const Vector& dx, double limit) const;
@@ -109,7 +109,7 @@ class Objective {
   void make_pattern();
   void follow_stencils();
   void tie_unknowns();
-  const sparse::SymmetricMatrix& untied_matrix() const;
+  const sparse::SymmetricMatrix& unreduced_matrix() const;
   void require_node(int node) const;
   int representative(int dof) const;
 
@@ -118,12 +118,12 @@ class Objective {
   std::vector<std::unique_ptr<Term>> terms_;
   std::vector<bool> pinned_;
   std::vector<int>
-      tied_to_;  // of every degree of freedom, the next one of a chain to its representative; or empty
+      equal_to_;  // of every degree of freedom, the next one of a chain to its representative; or empty
   std::unique_ptr<assembly::HessianPattern> pattern_;
   int version_ = 0;
   std::unique_ptr<MovingPattern> moving_;  // null without moving stencils
   int stencil_version_ = 0;
-  std::unique_ptr<TiedUnknowns> tied_;  // null without ties
+  std::unique_ptr<EqualityConstraints> equalities_;  // null without linear equality constraints
 };
 
 }  // namespace isostretch::newton

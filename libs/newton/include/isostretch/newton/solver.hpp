@@ -23,9 +23,9 @@ using IterationCallback = std::function<CallbackAction(const Iteration&, const V
 ///
 /// The linear solver is kept from one solve to the next, and so are the pattern of the Hessian, the
 /// fill-reducing ordering and the symbolic factorization, until the objective's pattern changes (terms that
-/// are added, pins, ties). Where only a stencil moves (Term::has_moving_stencil) the ordering stays and the
-/// factorization is analyzed again. Iterative linear solvers are analyzed anew for every solve, so that a
-/// solve does not depend on those before it. One solver is used by one thread at a time.
+/// are added, pins, equality constraints). Where only a stencil moves (Term::has_moving_stencil) the ordering
+/// stays and the factorization is analyzed again. Iterative linear solvers are analyzed anew for every solve,
+/// so that a solve does not depend on those before it. One solver is used by one thread at a time.
 class Solver {
  public:
   /// The objective must outlive the solver, and may change between solves, not during one. A linear solver
@@ -46,7 +46,8 @@ class Solver {
   /// take.
   bool start(Vector x);
   /// Takes one iteration. Returns whether another one is to come: false once summary() has a status other
-  /// than not_run. Throws Error before start(), and when the objective was given terms, pins or ties since.
+  /// than not_run. Throws Error before start(), and when the objective was given terms, pins or equality
+  /// constraints since.
   bool step();
   /// Returns the best positions so far of the solve that start() began. Throws Error before start().
   const Vector& positions() const;
@@ -63,10 +64,10 @@ class Solver {
 
  private:
   class Solve;
-  struct Kept;
+  struct Workspace;
   void require_startable(const Vector& x) const;
 
-  std::unique_ptr<Kept> kept_;
+  std::unique_ptr<Workspace> workspace_;
   std::unique_ptr<Solve> current_;
 };
 

@@ -49,7 +49,7 @@ struct Iteration {
   double decrement = 0;  ///< 1/2 gradient . H^-1 gradient of the step that led here
   double model_fit = 0;  ///< what the first step tried gained, over what the quadratic model promised
   /// 0: exact Hessian, 1/2: negative eigenvalues to zero, 1: to their absolute value, and between.
-  double filter_strength = 0;
+  double projection_weight = 0;
   std::size_t points_filtered = 0;
   int factorizations = 0;  ///< tried for this step
   int evaluations = 0;     ///< of the energy, by the line search
@@ -99,7 +99,7 @@ struct Summary {
 std::string progress_line(const Iteration& row);
 
 /// Returns the trace as a table: iteration, seconds, energy, gradient_inf_norm, step, decrement,
-/// filter_strength, points_filtered, factorizations, evaluations.
+/// projection_weight, points_filtered, factorizations, evaluations.
 Trace trace_table(const Summary& summary);
 
 }  // namespace isostretch::newton

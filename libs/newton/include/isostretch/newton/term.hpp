@@ -31,17 +31,17 @@ class Term {
   virtual void accepted(const Vector& x);
 
   /// Adds the pairs of nodes that the Hessian couples; every node is coupled to itself.
-  virtual void add_to(assembly::PatternBuilder& builder) const = 0;
+  virtual void add_stencil(assembly::PatternBuilder& builder) const = 0;
   /// Takes the pattern that has all its pairs, for the add_hessian() calls that follow. The pattern outlives
   /// them. A term whose stencil moves gets a new one after every move.
-  virtual void bind(const assembly::HessianPattern& pattern) = 0;
+  virtual void set_pattern(const assembly::HessianPattern& pattern) = 0;
 
-  /// Returns whether the pairs of add_to() may change while the term is part of an objective, as those of
-  /// contact do; always the same answer, false unless overridden. Such a term may change them in
+  /// Returns whether the pairs of add_stencil() may change while the term is part of an objective, as those
+  /// of contact do; always the same answer, false unless overridden. Such a term may change them in
   /// begin_solve() and in accepted(), and between solves. The pairs of all such terms should be few beside
   /// the others: after a change they are sorted, while what stays is only merged with them.
   virtual bool has_moving_stencil() const;
-  /// Returns a number that is another one whenever add_to() has changed. 0 unless overridden.
+  /// Returns a number that is another one whenever add_stencil() has changed. 0 unless overridden.
   virtual int stencil_version() const;
 
   /// Returns the value at x, +infinity outside the domain.
@@ -83,8 +83,8 @@ class EnergyTerm final : public Term {
   void set_energy(energies::AnyEnergy energy) { assembler_.set_energy(std::move(energy)); }
 
   void require_fits(int dim, int node_count) const override;
-  void add_to(assembly::PatternBuilder& builder) const override;
-  void bind(const assembly::HessianPattern& pattern) override;
+  void add_stencil(assembly::PatternBuilder& builder) const override;
+  void set_pattern(const assembly::HessianPattern& pattern) override;
   Evaluation value(const Vector& x) override;
   Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
                            bool hessian) override;
@@ -118,8 +118,8 @@ class SoftPinTerm final : public Term {
   SoftPinTerm(int dim, int node_count, std::vector<SoftPin> pins);
 
   void require_fits(int dim, int node_count) const override;
-  void add_to(assembly::PatternBuilder& builder) const override;
-  void bind(const assembly::HessianPattern& pattern) override;
+  void add_stencil(assembly::PatternBuilder& builder) const override;
+  void set_pattern(const assembly::HessianPattern& pattern) override;
   Evaluation value(const Vector& x) override;
   Evaluation differentiate(const Vector& x, const projection::FilterOptions& filter, Vector& gradient,
                            bool hessian) override;

@@ -13,12 +13,12 @@ inline namespace ISOSTRETCH_ISA {
 
 /// Returns an eigenvalue after filtering; `bound` is the largest magnitude that bounded_abs may give it.
 template <Filter filter, class T>
-ISOSTRETCH_INLINE T filtered(T lambda, T bound, double threshold, double strength) {
+ISOSTRETCH_INLINE T filtered(T lambda, T bound, double threshold, double weight) {
   if constexpr (filter == Filter::none) return lambda;
   if constexpr (filter == Filter::bounded_abs)
-    return max(max(lambda, min(T(-strength) * lambda, bound)), T(threshold));
+    return max(max(lambda, min(T(-weight) * lambda, bound)), T(threshold));
   const T target = max(filter == Filter::abs ? abs(lambda) : lambda, T(threshold));
-  return strength == 1.0 ? target : fma(T(strength), target - lambda, lambda);
+  return weight == 1.0 ? target : fma(T(weight), target - lambda, lambda);
 }
 
 /// Returns A, the scaling block, as a matrix.
@@ -70,7 +70,7 @@ ISOSTRETCH_INLINE Mask<T> surely_positive(const linalg::Mat<Dim, T>& A, double t
 /// stays as it was, bit for bit. `coupled` says whether A can have off-diagonal entries.
 template <Filter filter, int Dim, class T>
 ISOSTRETCH_INLINE Mask<T> apply_filter(invariants::StretchDerivatives<Dim, T>& d, double threshold,
-                                       double strength, bool coupled) {
+                                       double weight, bool coupled) {
   Mask<T> changed = T(0.0) > T(0.0);
   if constexpr (filter == Filter::none) return changed;
   const T floor(threshold);
@@ -78,13 +78,13 @@ ISOSTRETCH_INLINE Mask<T> apply_filter(invariants::StretchDerivatives<Dim, T>& d
   if constexpr (filter == Filter::bounded_abs) bound = largest_magnitude(d);
   for (int i = 0; i < d.pairs; ++i) {
     changed = changed | (d.twist[i] < floor) | (d.flip[i] < floor);
-    d.twist[i] = filtered<filter>(d.twist[i], bound, threshold, strength);
-    d.flip[i] = filtered<filter>(d.flip[i], bound, threshold, strength);
+    d.twist[i] = filtered<filter>(d.twist[i], bound, threshold, weight);
+    d.flip[i] = filtered<filter>(d.flip[i], bound, threshold, weight);
   }
   if (!coupled) {
     for (int i = 0; i < Dim; ++i) {
       changed = changed | (d.diagonal[i] < floor);
-      d.diagonal[i] = filtered<filter>(d.diagonal[i], bound, threshold, strength);
+      d.diagonal[i] = filtered<filter>(d.diagonal[i], bound, threshold, weight);
     }
     return changed;
   }
@@ -96,7 +96,7 @@ ISOSTRETCH_INLINE Mask<T> apply_filter(invariants::StretchDerivatives<Dim, T>& d
   T lambda[Dim];
   for (int i = 0; i < Dim; ++i) {
     moved = moved | (eigen.lambda[i] < floor);
-    lambda[i] = filtered<filter>(eigen.lambda[i], bound, threshold, strength);
+    lambda[i] = filtered<filter>(eigen.lambda[i], bound, threshold, weight);
   }
   const auto rebuilt = [&](int r, int c) {
     T sum = eigen.Q[r][0] * lambda[0] * eigen.Q[c][0];
@@ -117,12 +117,12 @@ template <int Dim, class T>
 ISOSTRETCH_INLINE Mask<T> apply_filter(const FilterOptions& options,
                                        invariants::StretchDerivatives<Dim, T>& d, bool coupled) {
   if (options.filter == Filter::clamp)
-    return apply_filter<Filter::clamp>(d, options.threshold, options.strength, coupled);
+    return apply_filter<Filter::clamp>(d, options.threshold, options.weight, coupled);
   if (options.filter == Filter::abs)
-    return apply_filter<Filter::abs>(d, options.threshold, options.strength, coupled);
+    return apply_filter<Filter::abs>(d, options.threshold, options.weight, coupled);
   if (options.filter == Filter::bounded_abs)
-    return apply_filter<Filter::bounded_abs>(d, options.threshold, options.strength, coupled);
-  return apply_filter<Filter::none>(d, options.threshold, options.strength, coupled);
+    return apply_filter<Filter::bounded_abs>(d, options.threshold, options.weight, coupled);
+  return apply_filter<Filter::none>(d, options.threshold, options.weight, coupled);
 }
 
 }  // namespace ISOSTRETCH_ISA

@@ -12,7 +12,7 @@ enum class Filter {
   /// Takes max(lambda, threshold), which gives the nearest positive semi-definite matrix (Teran et al. 2005).
   clamp,
   abs,  ///< Takes max(|lambda|, threshold) (Chen et al. 2024).
-  /// Takes strength |lambda| for negative lambda, but not beyond the largest magnitude among the eigenvalues
+  /// Takes weight |lambda| for negative lambda, but not beyond the largest magnitude among the eigenvalues
   /// of flips and scaling: the twists of energies with I1 tend to minus infinity where sigma_j + sigma_k
   /// vanishes, and their absolute values would make the body rigid there. Strength 0 is clamping.
   bounded_abs,
@@ -24,9 +24,9 @@ struct FilterOptions {
   /// The smallest eigenvalue after filtering, in the units of psi. Zero keeps semi-definite blocks as they
   /// are.
   double threshold = 0.0;
-  /// The share of the change that is made: lambda + strength (filtered - lambda). 1 filters fully, 0 not at
+  /// The share of the change that is made: lambda + weight (filtered - lambda). 1 filters fully, 0 not at
   /// all; Filter::bounded_abs says what it makes of it.
-  double strength = 1.0;
+  double weight = 1.0;
   /// A byte per node, or null; read by assembly alone. Where it is given, elements without a node whose byte
   /// is other than zero keep their exact Hessian.
   const unsigned char* nodes = nullptr;

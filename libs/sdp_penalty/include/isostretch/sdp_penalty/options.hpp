@@ -15,7 +15,7 @@ enum class Method {
   penalty,               // Liu et al. 2016: a path of penalty factors
   spectral_sdp,          // multipliers with a quadratic-logarithmic term (Apkarian et al. 2004)
   pennon,                // multipliers with a reciprocal barrier (Kocvara, Stingl 2003)
-  skinning               // the minimiser without constraints alone (tau = 0): may have inverted elements
+  unconstrained          // the minimiser without constraints alone (tau = 0): may have inverted elements
 };
 constexpr ChoiceNames<Method, 6> choice_names(Method) {
   return {{{"interior_point", Method::interior_point},
@@ -23,7 +23,7 @@ constexpr ChoiceNames<Method, 6> choice_names(Method) {
            {"penalty", Method::penalty},
            {"spectral_sdp", Method::spectral_sdp},
            {"pennon", Method::pennon},
-           {"skinning", Method::skinning}}};
+           {"unconstrained", Method::unconstrained}}};
 }
 
 // On negative eigenvalues of S - margin I, with y = lambda - epsilon (Liu et al. 2016, section 4).

@@ -13,7 +13,7 @@ struct RelinearizeOptions {
   int max_rounds = 100;
   /// Ends when a round lowers the energy (with each element's own nearest rotation) by less than this share.
   double tolerance = 1e-6;
-  /// Penalty factor of the soft answer that a round starts over from when ex-rotations are inadmissible.
+  /// Penalty factor of the penalty solution that a round starts over from when ex-rotations are infeasible.
   double soft_penalty = 1e4;
 
   /// Throws Error naming the first option that makes no sense.
@@ -23,7 +23,7 @@ struct RelinearizeOptions {
 /// One convex problem of solve_relinearized().
 struct RelinearizeRound {
   Status status = Status::not_run;  ///< of the convex problem of this round
-  bool soft = false;                ///< it was inadmissible: this is the soft answer
+  bool penalty_solution = false;    ///< it was infeasible: this is the penalty solution
   int iterations = 0;
   int linear_solves = 0;
   /// With the nearest rotation of every F in the place of R: what falls from round to round, once feasible.
@@ -37,7 +37,7 @@ struct RelinearizeRound {
 struct RelinearizeSummary {
   bool settled = false;  ///< by the tolerance
   bool stopped = false;  ///< by the callback
-  /// Of the last round's convex problem; of its soft answer where it has no feasible x.
+  /// Of the last round's convex problem; of its penalty solution where it has no feasible x.
   Summary last;
   std::vector<RelinearizeRound> rounds;
   /// The rotations that the last round was given, [element][dim * dim]: `last` is about these.
@@ -52,7 +52,7 @@ using RoundCallback = std::function<CallbackAction(const RelinearizeRound&, cons
 /// Lipman 2014).
 ///
 /// The first round has the problem's own. A feasible x stays feasible in the next round, and the energy does
-/// not rise. Where a field of ex-rotations is inadmissible its soft answer (the quadratic penalty at
+/// not rise. Where a field of ex-rotations is infeasible its penalty solution (the quadratic penalty at
 /// soft_penalty, inversions and all) gives those of the next round.
 RelinearizeSummary solve_relinearized(const Problem& problem, Vector& x,
                                       const RelinearizeOptions& options = {},
@@ -60,7 +60,7 @@ RelinearizeSummary solve_relinearized(const Problem& problem, Vector& x,
 
 /// Minimises the energy plus soft_penalty times the squares of the eigenvalues of S_i - margin I below 0. It
 /// does not know largest_stretch.
-Summary soft_answer(const Problem& problem, Vector& x, double soft_penalty, const Options& options = {});
+Summary penalty_solution(const Problem& problem, Vector& x, double soft_penalty, const Options& options = {});
 
 /// Returns the nearest rotations of F = sum x_a g_a^T, [element][dim * dim] column by column, determinant 1;
 /// the identity for a collapsed element.

@@ -17,8 +17,8 @@ using IterationCallback = std::function<CallbackAction(const Iteration&, const V
 
 /// Solves one problem after the other, as dragging a handle makes them, and keeps what does not change.
 ///
-/// Kept are the sparsity with its analysis as long as elements and hard targets are on the same nodes, and
-/// the factor of H0 as long as weights, gradients, alpha and the nodes of targets are the same (with
+/// Workspace are the sparsity with its analysis as long as elements and hard targets are on the same nodes,
+/// and the factor of H0 as long as weights, gradients, alpha and the nodes of targets are the same (with
 /// incompressibility also the ex-rotations). Results are those of a new Solver, to the bit, but for warm
 /// starts.
 class Solver {
@@ -41,9 +41,9 @@ class Solver {
  private:
   Summary solve_here(const Problem& problem, Vector& x, const IterationCallback& callback);
 
-  struct Kept;
+  struct Workspace;
   Options options_;
-  std::unique_ptr<Kept> kept_;
+  std::unique_ptr<Workspace> workspace_;
 };
 
 /// Solves a problem with a Solver for it alone.

@@ -15,7 +15,7 @@ enum class Status {
   not_run,
   optimal,  ///< feasible, and the certified gap is within the tolerance
   /// No x to speak of is strictly feasible: the ex-rotations (or hard targets) contradict each other.
-  inadmissible,
+  infeasible,
   /// The method can do no more: the last penalty factor, or x is feasible and rounding leaves the gap.
   path_end,
   iterations,  ///< max_iterations reached
@@ -28,7 +28,7 @@ std::string_view status_name(Status status) noexcept;
 /// Returns the status in the words that all methods share.
 SolveStatus outcome(Status status) noexcept;
 
-/// One row of the trace. Row 0 is ex-rotated skinning, the minimiser without constraints.
+/// One row of the trace. Row 0 is the unconstrained minimiser, the minimiser without constraints.
 struct Iteration {
   int iteration = 0;
   double seconds = 0;  ///< since the solve began
@@ -59,11 +59,11 @@ struct Summary {
   int inverted = -1;  ///< -1: not known
   int infeasible = -1;
   double seconds = 0;
-  /// Where the solver gave up (not: skinning, the callback's stop): ten elements (or all) with the largest
-  /// multipliers, largest first. Where they grow beyond bounds no x is strictly feasible: the ex-rotations
-  /// there contradict each other.
-  std::vector<int> suspects;
-  /// Of `inadmissible`: no x whose nodes are all within `extent` of the middle of the targets, on every axis,
+  /// Where the solver gave up (not: unconstrained, the callback's stop): ten elements (or all) with the
+  /// largest multipliers, largest first. Where they grow beyond bounds no x is strictly feasible: the
+  /// ex-rotations there contradict each other.
+  std::vector<int> infeasible_elements;
+  /// Of `infeasible`: no x whose nodes are all within `extent` of the middle of the targets, on every axis,
   /// has S_i >= this for all elements. Rigorous up to rounding.
   double unreachable_eigenvalue = std::numeric_limits<double>::quiet_NaN();
   double extent = std::numeric_limits<double>::quiet_NaN();

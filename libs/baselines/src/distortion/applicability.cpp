@@ -1,4 +1,4 @@
-#include "unsuited.hpp"
+#include "applicability.hpp"
 
 #include <algorithm>
 

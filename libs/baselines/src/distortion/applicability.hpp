@@ -8,7 +8,7 @@
 
 namespace isostretch::baselines {
 
-// Reasons for Method::unsuited; empty where there is none.
+// Reasons for Method::why_not_applicable; empty where there is none.
 std::string needs_dimension(const DistortionProblem& problem, int dim);
 std::string needs_energy(const DistortionProblem& problem, std::initializer_list<std::string_view> energies);
 std::string needs_barrier(const DistortionProblem& problem);

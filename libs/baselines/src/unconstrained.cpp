@@ -1,4 +1,4 @@
-#include "skinning.hpp"
+#include "unconstrained.hpp"
 
 #include <isostretch/sdp_penalty/solver.hpp>
 
@@ -6,7 +6,7 @@ namespace isostretch::baselines {
 
 Vector skinned(const sdp_penalty::Problem& problem) {
   sdp_penalty::Options options;
-  options.method = sdp_penalty::Method::skinning;
+  options.method = sdp_penalty::Method::unconstrained;
   Vector x;
   sdp_penalty::solve(problem, x, options);
   return x;

@@ -5,8 +5,8 @@
 
 namespace isostretch::baselines {
 
-// Ex-rotated skinning, where many begin: the minimiser without constraints, with hard targets where they
-// belong.
+// The unconstrained minimiser, where many begin: the minimiser without constraints, with hard targets where
+// they belong.
 Vector skinned(const sdp_penalty::Problem& problem);
 
 }  // namespace isostretch::baselines

@@ -70,7 +70,7 @@ int check_formulations(const std::vector<tests::Reference>& references) {
       CAPTURE(reference.name);
       CAPTURE(info.name);
       const auto result = baselines::solve(info.name, {reference.problem, reference.rest});
-      if (result.status == Status::unsuited) {
+      if (result.status == Status::not_applicable) {
         CHECK(info.name == "lifted_content");
         CHECK_FALSE(result.has_positions());
         continue;
@@ -138,16 +138,16 @@ TEST_CASE(
     options.limits.iterations = 1;
     const auto limited = baselines::solve(info.name, instance, options);
     CHECK((limited.status == Status::iteration_limit || limited.status == Status::converged ||
-           limited.status == Status::unsuited));
+           limited.status == Status::not_applicable));
     CHECK(limited.iterations <= 1);
     options.limits = {};
     options.stop = StopToken().with_time_limit(1e-9);
     const auto timed = baselines::solve(info.name, instance, options);
-    CHECK((timed.status == Status::time_limit || timed.status == Status::unsuited));
+    CHECK((timed.status == Status::time_limit || timed.status == Status::not_applicable));
     if (info.bounds_stretch) continue;
     baselines::Instance bounded = instance;
     bounded.problem.largest_stretch = 3;
-    CHECK(baselines::solve(info.name, bounded).status == Status::unsuited);
+    CHECK(baselines::solve(info.name, bounded).status == Status::not_applicable);
   }
 }
 

@@ -1,19 +1,20 @@
-#include "tied_unknowns.hpp"
+#include "equality_constraints.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 namespace isostretch::newton {
 
-TiedUnknowns::TiedUnknowns(const assembly::FreeUnknowns& free, const sparse::SymmetricMatrix& untied,
-                           const std::function<int(int)>& representative_dof) {
-  number_unknowns(free, untied.group, representative_dof);
-  place_entries(untied);
+EqualityConstraints::EqualityConstraints(const assembly::FreeUnknowns& free,
+                                         const sparse::SymmetricMatrix& unreduced,
+                                         const std::function<int(int)>& representative_dof) {
+  number_unknowns(free, unreduced.group, representative_dof);
+  place_entries(unreduced);
 }
 
 // In the order of the representatives, which keeps unknowns of a node together.
-void TiedUnknowns::number_unknowns(const assembly::FreeUnknowns& free, const std::vector<int>& group,
-                                   const std::function<int(int)>& representative_dof) {
+void EqualityConstraints::number_unknowns(const assembly::FreeUnknowns& free, const std::vector<int>& group,
+                                          const std::function<int(int)>& representative_dof) {
   unknown_.assign(static_cast<std::size_t>(free.size()), -1);
   for (int i = 0; i < free.size(); ++i) {
     // A representative has the smallest number of its set, so it has been met; a set is pinned whole or not
@@ -29,17 +30,17 @@ void TiedUnknowns::number_unknowns(const assembly::FreeUnknowns& free, const std
 }
 
 // Two counting sorts, by row and then by column, leave the rows of every column in order.
-void TiedUnknowns::place_entries(const sparse::SymmetricMatrix& untied) {
+void EqualityConstraints::place_entries(const sparse::SymmetricMatrix& unreduced) {
   struct Entry {
     int column, row, from;
   };
-  const std::size_t count = untied.row.size(), size = static_cast<std::size_t>(matrix_.size);
+  const std::size_t count = unreduced.row.size(), size = static_cast<std::size_t>(matrix_.size);
   std::vector<Entry> entries;
   counts_twice_.assign(count, false);
-  for (int j = 0; j < untied.size; ++j)
-    for (int k = untied.column_start[static_cast<std::size_t>(j)];
-         k < untied.column_start[static_cast<std::size_t>(j) + 1]; ++k) {
-      const int i = untied.row[static_cast<std::size_t>(k)], a = unknown(i), b = unknown(j);
+  for (int j = 0; j < unreduced.size; ++j)
+    for (int k = unreduced.column_start[static_cast<std::size_t>(j)];
+         k < unreduced.column_start[static_cast<std::size_t>(j) + 1]; ++k) {
+      const int i = unreduced.row[static_cast<std::size_t>(k)], a = unknown(i), b = unknown(j);
       entries.push_back({std::min(a, b), std::max(a, b), k});
       counts_twice_[static_cast<std::size_t>(k)] = i != j && a == b;
     }
@@ -69,7 +70,7 @@ void TiedUnknowns::place_entries(const sparse::SymmetricMatrix& untied) {
   matrix_.value.assign(matrix_.row.size(), 0.0);
 }
 
-void TiedUnknowns::reduce(std::vector<double>& values) const {
+void EqualityConstraints::reduce(std::vector<double>& values) const {
   std::fill(values.begin(), values.end(), 0.0);
   for (std::size_t k = 0; k < values_.size(); ++k)
     values[static_cast<std::size_t>(place_[k])] += (counts_twice_[k] ? 2.0 : 1.0) * values_[k];
