@@ -1,6 +1,9 @@
 // Linear solvers from outside on the command line.
-#include "common/solver_flags.hpp"
+#include "common/option_flags.hpp"
 
+#include <isostretch/newton/options.hpp>
+#include <isostretch/scene/node.hpp>
+#include <isostretch/scene/pipelines.hpp>
 #include <isostretch/sparse/solver.hpp>
 
 #include <doctest/doctest.h>
@@ -11,10 +14,11 @@
 
 using namespace isostretch;
 
-TEST_CASE("--solver lists and takes a linear solver that the program has registered") {
+TEST_CASE("--backend lists and takes a linear solver that the program has registered") {
+  newton::Options defaults;
   CLI::App before;
-  app::SolverFlags of_before;
-  of_before.declare(before);
+  app::OptionFlags of_before;
+  of_before.declare(before, option_fields(defaults), "newton");
   CHECK(before.help().find("solver_of_this_program") == std::string::npos);
 
   const sparse::Backend backend =
@@ -24,12 +28,14 @@ TEST_CASE("--solver lists and takes a linear solver that the program has registe
         return sparse::make_solver(inner);
       });
   CLI::App cli;
-  app::SolverFlags flags;
-  flags.declare(cli);
+  app::OptionFlags flags;
+  flags.declare(cli, option_fields(defaults), "newton");
   CHECK(cli.help().find("solver_of_this_program") != std::string::npos);
-  cli.parse("--solver solver_of_this_program");
+  cli.parse("--backend solver_of_this_program");
+  scene::Value scene = scene::Value::object();
+  flags.add_to(scene);
   newton::Options options;
-  flags.apply(options);
+  scene::read_newton(scene::Node(scene), options);
   CHECK(options.solver.backend == backend);
-  CHECK_THROWS_AS(cli.parse("--solver solver_of_nobody"), CLI::ValidationError);
+  CHECK_THROWS_AS(cli.parse("--backend solver_of_nobody"), CLI::ValidationError);
 }

@@ -11,8 +11,8 @@
 
 namespace isostretch::sdp_penalty {
 
-struct Solver::Workspace {
-  Workspace(const Problem& problem, const Options& options) : work(problem, options) {}
+struct Solver::State {
+  State(const Problem& problem, const Options& options) : work(problem, options) {}
   Workspace work;
 };
 
@@ -77,11 +77,11 @@ Summary Solver::solve_here(const Problem& problem, Vector& x, const IterationCal
   if (problem.bounds_stretch() && options_.method != Method::interior_point)
     throw Error("largest_stretch: the method " + std::string(method_name(options_.method)) +
                 " does not know it; interior_point does");
-  if (workspace_ && workspace_->work.system.has_structure_of(problem))
-    workspace_->work.system.set_problem(problem);
+  if (state_ && state_->work.system.has_structure_of(problem))
+    state_->work.system.set_problem(problem);
   else
-    workspace_ = std::make_unique<Workspace>(problem, options_);
-  Workspace& work = workspace_->work;
+    state_ = std::make_unique<State>(problem, options_);
+  Workspace& work = state_->work;
   Progress progress(work, options_, callback);
   if (work.unconstrained.refresh(work.system)) progress.count_solve();
   log(LogLevel::debug, [&] {

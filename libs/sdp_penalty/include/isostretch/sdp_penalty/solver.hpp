@@ -17,7 +17,7 @@ using IterationCallback = std::function<CallbackAction(const Iteration&, const V
 
 /// Solves one problem after the other, as dragging a handle makes them, and keeps what does not change.
 ///
-/// Workspace are the sparsity with its analysis as long as elements and hard targets are on the same nodes,
+/// Kept are the sparsity with its analysis as long as elements and hard targets are on the same nodes,
 /// and the factor of H0 as long as weights, gradients, alpha and the nodes of targets are the same (with
 /// incompressibility also the ex-rotations). Results are those of a new Solver, to the bit, but for warm
 /// starts.
@@ -41,9 +41,9 @@ class Solver {
  private:
   Summary solve_here(const Problem& problem, Vector& x, const IterationCallback& callback);
 
-  struct Workspace;
+  struct State;
   Options options_;
-  std::unique_ptr<Workspace> workspace_;
+  std::unique_ptr<State> state_;
 };
 
 /// Solves a problem with a Solver for it alone.
