@@ -42,7 +42,7 @@ Facts facts_of(const Preview& p, const Handle& handle) {
     facts.to += to / count;
     facts.farthest = std::max(facts.farthest, (to - from).norm());
   }
-  facts.degrees = handle.motion.turn(p.time).degrees;
+  facts.degrees = handle.motion.axis_angle(p.time).degrees;
   return facts;
 }
 

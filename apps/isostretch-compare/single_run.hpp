@@ -4,6 +4,8 @@
 #include "common/output_folder.hpp"
 #include "options.hpp"
 
+#include <isostretch/scene/value.hpp>
+
 #include <filesystem>
 #include <string>
 
