@@ -44,8 +44,9 @@ std::string fact_table(const Result& r, const Json& summary) {
   return html::table(
       {}, {{"method", summary.at("method")},
            {"alpha", number(r.scene.alpha, "%.6g")},
-           {"element weights", name_of(weights_names, r.scene.weights)},
-           {"lengths", r.scene.units == LengthUnit::diagonal ? "shares of the diagonal" : "of the mesh"},
+           {"element weights", name_of(choice_names(r.scene.weights), r.scene.weights)},
+           {"lengths",
+            r.scene.units == deformation::LengthUnit::diagonal ? "shares of the diagonal" : "of the mesh"},
            {"incompressibility", number(r.scene.incompressibility, "%.6g")},
            {"margin", number(r.scene.margin, "%.6g")},
            {"factorizations in all", number(totals.at("linear_solves"), "%.0f")},

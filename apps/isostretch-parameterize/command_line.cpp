@@ -87,7 +87,7 @@ scene::Value CommandLine::scene() const {
 
 Options CommandLine::options() const {
   const scene::Value value = scene();
-  Options options{.energy = reading_scene(input_, [&] { return scene::read_energy(scene::Node(value), 2); })};
+  Options options{{}, reading_scene(input_, [&] { return scene::read_energy(scene::Node(value), 2); })};
   reading_scene(input_, [&] {
     const scene::Node scene(value);
     static_cast<parameterization::Options&>(options) = scene::read_parameterization(scene);

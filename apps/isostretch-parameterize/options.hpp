@@ -21,11 +21,11 @@ using parameterization::UvUnits;
 /// The command line.
 struct Options : parameterization::Options {
   energies::AnyEnergy energy;
-  std::filesystem::path model;
-  std::filesystem::path out;
+  std::filesystem::path model = {};
+  std::filesystem::path out = {};
   bool check = false;  // only say what is wrong with the model
   bool repair = false;
-  std::optional<double> weld;  // tolerance
+  std::optional<double> weld = {};  // tolerance
   bool picture = true;
   bool glb = false;
 };

@@ -4,11 +4,9 @@
 #include "common/run_app.hpp"
 #include "options.hpp"
 
-#include <isostretch/energies/any_energy.hpp>
-
 namespace isostretch::app::parameterize {
 
 // The whole job: read, start, solve, write, report.
-ExitCode parameterize(const Options& options, const energies::AnyEnergy& energy, const CommonOptions& common);
+ExitCode parameterize(const Options& options, const CommonOptions& common);
 
 }  // namespace isostretch::app::parameterize

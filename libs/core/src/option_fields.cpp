@@ -31,6 +31,9 @@ bool Range::contains(double number) const noexcept {
 }
 
 std::string Range::in_words(bool whole) const {
+  const auto to_text = [whole](double number) {
+    return whole ? std::to_string(static_cast<long long>(number)) : isostretch::to_text(number);
+  };
   const std::string what = whole ? "a whole number" : "a number";
   const bool below = lowest == std::numeric_limits<double>::lowest();
   const bool above = highest >= std::numeric_limits<double>::max();

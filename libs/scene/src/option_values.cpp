@@ -83,6 +83,13 @@ Value schema_of(const OptionField& option) {
   return schema;
 }
 
+// As a cell of a table in Markdown.
+std::string cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) result.append(c == '|' ? "\\|" : std::string(1, c));
+  return result;
+}
+
 std::string quoted(std::vector<std::string> names) {
   for (std::string& name : names) name = std::string("`").append(name).append("`");
   return listed(names);
@@ -142,7 +149,11 @@ std::string options_table(const std::vector<OptionField>& fields, const std::str
     }
     table.append("| `").append(path).append("` | ").append(kind_of(option));
     if (*option.field.unit != '\0') table.append(", ").append(option.field.unit);
-    table.append(" | ").append(default_of(option)).append(" | ").append(option.field.help).append(" |\n");
+    table.append(" | ")
+        .append(default_of(option))
+        .append(" | ")
+        .append(cell(option.field.help))
+        .append(" |\n");
   }
   return table;
 }
