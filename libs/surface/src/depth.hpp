@@ -18,8 +18,8 @@ struct Interval {
   Mark begin, end;
 };
 
-// Under how many triangles the places of an interval lie, where it makes no difference whether there are two or
-// more. That takes memory for what lies under fewer, however many triangles there are.
+// Under how many triangles the places of an interval lie, where it makes no difference whether there are two
+// or more. That takes memory for what lies under fewer, however many triangles there are.
 class Depth {
  public:
   explicit Depth(const Interval& whole);
