@@ -2,10 +2,7 @@
 """The API reference has every public symbol: Doxygen makes it of the headers without a warning.
 
 check_reference.py DOXYGEN DOXYFILE     DOXYGEN may be empty or end in NOTFOUND: the check is skipped
-
-Headers listed in docs/reference/pending.txt are read, and their warnings overlooked.
 """
-import fnmatch
 import pathlib
 import re
 import subprocess
@@ -15,19 +12,9 @@ import libraries
 
 SKIPPED = 77
 PAGES = libraries.ROOT / "docs" / "reference" / "pages.dox"
-PENDING = libraries.ROOT / "docs" / "reference" / "pending.txt"
 WARNING = re.compile(r"^(/[^:]+|<[^>]+>):(\d+): (?:warning|error): (.*)$")
 # First words that do not stand alone: tools show one symbol at a time.
 FRAGMENT = re.compile(r"^\s*///<? +((?:what|of|likewise|the same|as above|and back)\b.*)", re.IGNORECASE)
-
-
-def pending_patterns():
-    lines = PENDING.read_text().splitlines() if PENDING.exists() else []
-    return [line for line in lines if line and not line.startswith("#")]
-
-
-def is_pending(path, patterns):
-    return any(fnmatch.fnmatch(path, pattern) for pattern in patterns)
 
 
 def relative(path):
@@ -35,19 +22,10 @@ def relative(path):
     return path[len(root):] if path.startswith(root) else path
 
 
-def read_warnings(text, patterns):
-    """Lines of Doxygen's log, paths from the root of the project, but for those about pending headers. What continues a
-    warning follows it."""
-    kept, keeping = [], True
-    for line in text.splitlines():
-        match = WARNING.match(line)
-        if match:
-            path = relative(match.group(1))
-            keeping = not is_pending(path, patterns)
-            line = f"{path}:{match.group(2)}: {match.group(3)}"
-        if keeping:
-            kept.append(line)
-    return kept
+def read_warnings(text):
+    """Lines of Doxygen's log, paths from the root of the project."""
+    return [f"{relative(match.group(1))}:{match.group(2)}: {match.group(3)}" if (match := WARNING.match(line)) else line
+            for line in text.splitlines()]
 
 
 def fragments(text):
@@ -81,17 +59,13 @@ def main():
         return SKIPPED
     headers = {str(path.relative_to(libraries.ROOT)): path.read_text() for folder in libraries.folders().values()
                for path in libraries.sources(folder, "include")}
-    patterns = pending_patterns()
-    finished = {path: text for path, text in headers.items() if not is_pending(path, patterns)}
     faults = [f"docs/reference/pages.dox: @namespace {name} is missing, so nothing in it is looked at"
               for name in undocumented_namespaces(headers.values(), PAGES.read_text())]
-    faults += [f"docs/reference/pending.txt: no header matches {pattern}" for pattern in patterns
-               if not any(is_pending(path, [pattern]) for path in headers)]
     faults += [f'{path}:{number}: "{comment}" does not stand alone'
-               for path, text in finished.items() for number, comment in fragments(text)]
-    faults += read_warnings(run_doxygen(doxygen, doxyfile), patterns)
-    print("\n".join(faults) or f"{len(finished)} of {len(headers)} public headers are in the reference without a warning")
-    return 1 if faults or not finished else 0
+               for path, text in headers.items() for number, comment in fragments(text)]
+    faults += read_warnings(run_doxygen(doxygen, doxyfile))
+    print("\n".join(faults) or f"{len(headers)} public headers are in the reference without a warning")
+    return 1 if faults or not headers else 0
 
 
 if __name__ == "__main__":

@@ -16,7 +16,9 @@ namespace isostretch::baselines {
 /// Minimise the sum over quadrature points of weight * psi(F), over the positions of all nodes but those
 /// pinned.
 struct DistortionProblem {
+  /// The elements at rest.
   assembly::Elements elements;
+  /// The energy that is minimised.
   energies::AnyEnergy energy;
   std::vector<int> pinned;  ///< nodes that stay where the start has them
 
@@ -29,6 +31,7 @@ struct MethodOptions {
   /// |gradient|_inf <= gradient_tolerance ends every method alike, in units of energy per length; with a
   /// total rest area of 1 published comparisons have 1e-4. 0: only where nothing improves any more.
   double gradient_tolerance = 1e-4;
+  /// The largest number of iterations.
   int max_iterations = 1000;
   double time_limit = 0;  ///< seconds; 0: none
 
@@ -36,7 +39,7 @@ struct MethodOptions {
   void validate() const;
 };
 
-/// What kind of method it is.
+/// The families of methods.
 enum class Family {
   own,              ///< what isostretch offers
   newton,           ///< Hessians projected, or not, in other ways: equal steps in exact arithmetic, or nearly
@@ -52,6 +55,7 @@ struct MethodInfo {
   std::string_view name;    ///< as on a command line
   std::string_view title;   ///< as in a table
   std::string_view source;  ///< paper
+  /// The family of the method.
   Family family = Family::own;
 };
 

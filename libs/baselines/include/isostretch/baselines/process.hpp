@@ -15,10 +15,13 @@ struct Command {
   std::filesystem::path folder;        ///< where it runs; empty: where the caller does
   std::vector<std::pair<std::string, std::string>> environment;  ///< on top of the caller's
   /// Files for its standard output and errors, relative to `folder`; empty: kept in the ProcessResult.
-  std::filesystem::path output_file, errors_file;
+  /// File for standard output; empty: it is kept in the result.
+  std::filesystem::path output_file = {};
+  /// File for standard error; empty: it is kept in the result.
+  std::filesystem::path errors_file = {};
 };
 
-/// What a program may take.
+/// The limits of a program.
 struct ProcessLimits {
   double seconds = 0;    ///< wall clock; 0: none
   double megabytes = 0;  ///< address space of each of its processes; 0: none
@@ -34,7 +37,10 @@ struct ProcessResult {
   /// Largest resident set, of the program and those that it has waited for; where the caller's own is larger,
   /// of the program alone, looked at now and then.
   double peak_megabytes = 0;
-  std::string output, errors;  ///< unless they went to files
+  /// Standard output, unless it went to a file.
+  std::string output;
+  /// Standard error, unless it went to a file.
+  std::string errors;
 
   /// Returns whether its exit code is 0.
   bool ended_well() const { return exit_code == 0; }

@@ -39,29 +39,39 @@ struct Seconds {
   double modelling = 0;  ///< from the instance to what the solver takes, files included
   double solving = 0;    ///< the solver, or its process
   double reading = 0;    ///< from its answer to positions
+  /// Returns the sum of the phases.
   double total() const { return modelling + solving + reading; }
 };
 
 /// An iterate on the way. Solvers that show none have the start, if any, and the end alone.
 struct Point {
+  /// The number of the iterate, from 0.
   int iteration = 0;
   double seconds = 0;  ///< Seconds::total() so far
+  /// The measures of the iterate.
   Measures measures;
 };
 
-/// What a solver has found.
+/// The result of a solver.
 struct Result {
+  /// How the run ended.
   Status status = Status::not_run;
-  std::string message = "not run";  ///< what the solver said, or why it was stopped
-  Vector x;                         ///< empty where the solver left nothing
-  Measures measures;                ///< of x
+  /// A sentence on how it ended, from the solver or about what stopped it.
+  std::string message = "not run";
+  Vector x;  ///< empty where the solver left nothing
+  /// The measures of x.
+  Measures measures;
   double lower_bound = -std::numeric_limits<double>::infinity();  ///< where the solver proves one
   int iterations = 0;                                             ///< in the solver's own count
   int linear_solves = -1;                                         ///< factorizations, where they are known
-  double peak_megabytes = -1;  ///< of its process, where it has one of its own
+  /// The largest memory of its process, where it has one of its own; -1: unknown.
+  double peak_megabytes = -1;
+  /// The time of its phases.
   Seconds seconds;
+  /// The iterates that were recorded.
   std::vector<Point> trace;
 
+  /// Returns whether there are positions.
   bool has_positions() const { return x.size() > 0; }
   /// Returns the status in the words that all methods share.
   SolveStatus outcome() const { return baselines::outcome(status); }

@@ -12,15 +12,17 @@
 
 namespace isostretch::baselines {
 
-/// What a run may take, besides the time, which is for the deadline of Options::stop to limit.
+/// The limits of a run, besides the time, which is for the deadline of Options::stop to limit.
 struct Limits {
-  double megabytes = 0;  ///< of a process of the solver's own; 0: none
-  int iterations = 0;    ///< in the solver's own count; 0: its own limit
+  /// The largest memory of a process of the solver's own, in megabytes; 0: no limit.
+  double megabytes = 0;
+  int iterations = 0;  ///< in the solver's own count; 0: its own limit
 };
 
 /// How to run a solver.
 struct Options {
   double tolerance = 1e-6;  ///< asked for, relative, in the terms of each solver's own stopping rule
+  /// The limits of the run.
   Limits limits;
   /// Asked after every iterate, and some twenty times a second while a program runs. A request to stop ends
   /// the run with Status::callback, and the deadline, in wall-clock time, with Status::time_limit.
@@ -36,7 +38,7 @@ using isostretch::CallbackAction;
 /// Called for every point of the trace.
 using PointCallback = std::function<CallbackAction(const Point&, const Vector& x)>;
 
-/// What a solver solves.
+/// The kinds of problems that solvers solve.
 enum class Kind {
   convex,      ///< the problem itself: all of these have the same optimum
   alternative  ///< another formulation of inversion-free manipulation, with another optimum or none
@@ -47,9 +49,12 @@ struct SolverInfo {
   std::string_view name;    ///< as on a command line
   std::string_view title;   ///< as in a table
   std::string_view source;  ///< paper or program
+  /// The kind of problem that it solves.
   Kind kind = Kind::convex;
-  std::string needs;            ///< what is missing for it to run; empty where it can
+  /// The missing part without which it cannot run; empty where it can.
+  std::string needs;
   bool bounds_stretch = false;  ///< knows Problem::largest_stretch; the others are not applicable for it
+  /// Returns whether it can run here.
   bool available() const { return needs.empty(); }
 };
 

@@ -9,14 +9,17 @@ struct Backtracking {
   int tries = 60;       ///< at most
 };
 
-/// What a line search makes of a step that it has tried.
+/// A verdict on a step that a line search has tried. that it has tried.
 enum class Trial { accept, shorten, give_up };
 
 /// A step that a line search has accepted, or the last one tried.
 struct BacktrackedStep {
+  /// Whether the step gained enough.
   bool accepted = false;
+  /// The length of the step, as a share of the direction.
   double step = 0;
-  double change = 0;    ///< of the objective by the step
+  /// The change of the objective by the step.
+  double change = 0;
   int evaluations = 0;  ///< steps tried
 };
 

@@ -19,8 +19,11 @@ namespace isostretch {
 template <class Summary>
 class IterationDriver {
  public:
+  /// The status of the method.
   using Status = decltype(Summary::status);
+  /// A row of its trace.
   using Row = typename decltype(Summary::trace)::value_type;
+  /// A function that is shown every iterate, and may end the method.
   using Callback = std::function<CallbackAction(const Row& row, const Vector& x)>;
 
   /// `interrupted` is the status of a solve that the callback or the token ends; the callback may be empty.
@@ -65,7 +68,7 @@ class IterationDriver {
   }
 
  private:
-  Timer timer_;  // first: what the other members take counts
+  Timer timer_;  ///< first: what the other members take counts
   Summary& summary_;
   Callback callback_;
   StopToken stop_;

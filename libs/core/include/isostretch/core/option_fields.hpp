@@ -14,6 +14,7 @@ namespace isostretch {
 
 /// The numbers that an option may be, from `lowest` to `highest`. NaN is in no range.
 struct Range {
+  /// The lowest number.
   double lowest = std::numeric_limits<double>::lowest();
   double highest = std::numeric_limits<double>::infinity();  ///< infinity: an infinite value is allowed, too
   bool without_lowest = false;                               ///< the range is open below
@@ -52,12 +53,15 @@ constexpr Range finite(Range range) {
   return range;
 }
 
-/// What an option is called, what it does and what it may be, said once for command lines, scenes, checks and
+/// A description of an option: its name, what it does and what it may be, said once for command lines,
+/// scenes, checks and, what it does and what it may be, said once for command lines, scenes, checks and
 /// documentation.
 struct Field {
-  const char* name;       ///< of the key in scenes; the flag has - for _
-  const char* help;       ///< one sentence without its full stop, for who does not know the code
-  Range range = {};       ///< of a number
+  /// The key in scenes; the flag has - for _.
+  const char* name;
+  const char* help;  ///< one sentence without its full stop, for who does not know the code
+  /// The range of a number.
+  Range range = {};
   const char* unit = "";  ///< such as "seconds"; empty: none
   bool expert = false;    ///< has no flag of its own on command lines
 };
@@ -66,7 +70,9 @@ struct OptionField;
 
 /// A member that is one of an enumeration's choices, by their names.
 struct ChoiceSlot {
+  /// Returns the names there are.
   std::function<std::vector<std::string>()> names;
+  /// Returns the name of the choice that the member has.
   std::function<std::string()> get;
   std::function<void(const std::string&)> set;  ///< takes one of names()
 };
@@ -76,7 +82,9 @@ using OptionSlot = std::variant<bool*, int*, double*, std::string*, ChoiceSlot, 
 
 /// A field with the member it describes.
 struct OptionField {
+  /// The description of the member.
   Field field;
+  /// The member.
   OptionSlot slot;
 };
 

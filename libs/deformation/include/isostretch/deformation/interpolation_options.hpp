@@ -9,6 +9,7 @@ enum class Continuation {
   previous,     ///< the frame before
   extrapolate,  ///< that, or of several continuations of the frames so far the one of least energy
 };
+/// Returns the names of the starts in scenes.
 constexpr ChoiceNames<Continuation, 2> choice_names(Continuation) {
   return {{{"previous", Continuation::previous}, {"extrapolate", Continuation::extrapolate}}};
 }
@@ -31,8 +32,10 @@ inline newton::Options frame_solver() {
 /// How shapes between two are made.
 struct InterpolationOptions {
   int frames = 10;  ///< after the first shape; the last is the second shape
+  /// Where the minimisation of a frame starts from.
   Continuation guess = Continuation::extrapolate;
-  newton::Options newton = frame_solver();  ///< of a frame; its time limit is that of all frames together
+  /// Options of the solve of a frame; the limit of time is that of all frames together.
+  newton::Options newton = frame_solver();
 
   /// Visits (Field, member) for each option, see core/option_fields.hpp.
   template <class Self, class Visit>

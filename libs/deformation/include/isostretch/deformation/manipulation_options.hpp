@@ -13,18 +13,22 @@ enum class Rotations {
   biharmonic,  ///< those of the handles, blended by bounded biharmonic weights
   none         ///< the identity everywhere
 };
+/// Returns the names of the choices in scenes.
 constexpr ChoiceNames<Rotations, 2> choice_names(Rotations) {
   return {{{"biharmonic", Rotations::biharmonic}, {"none", Rotations::none}}};
 }
 
-/// What the elastic energy of an element counts: its volume (area), or 1.
+/// The weights of elements in the elastic energy: their volume (area), or 1.
 enum class ElementWeights { volume, unit };
+/// Returns the names of the choices in scenes.
 constexpr ChoiceNames<ElementWeights, 2> choice_names(ElementWeights) {
   return {{{"volume", ElementWeights::volume}, {"unit", ElementWeights::unit}}};
 }
 
-/// What lengths are measured in by the term of the soft handles.
+/// The units of length in the term of the soft handles: the diagonal of the body at rest, or that of the
+/// mesh.
 enum class LengthUnit { diagonal, mesh };
+/// Returns the names of the choices in scenes.
 constexpr ChoiceNames<LengthUnit, 2> choice_names(LengthUnit) {
   return {{{"diagonal", LengthUnit::diagonal}, {"mesh", LengthUnit::mesh}}};
 }
@@ -32,17 +36,19 @@ constexpr ChoiceNames<LengthUnit, 2> choice_names(LengthUnit) {
 /// How a body is manipulated without inverting an element (Liu et al. 2016); see sdp_penalty::Problem for
 /// alpha, incompressibility, margin and largest_stretch.
 struct ManipulationOptions {
-  HandleScript script = {};
-  double alpha = 1e4;
-  ElementWeights weights = ElementWeights::volume;
-  LengthUnit units = LengthUnit::diagonal;
-  double incompressibility = 0;  ///< kappa
-  double margin = 0;
+  HandleScript script = {};                         ///< Handles, how they move, and the number of frames.
+  double alpha = 1e4;                               ///< Weight of the soft handles.
+  ElementWeights weights = ElementWeights::volume;  ///< How much an element counts.
+  LengthUnit units = LengthUnit::diagonal;          ///< Unit of length in the term of the soft handles.
+  double incompressibility = 0;                     ///< Weight kappa of the term that keeps volume.
+  double margin = 0;                                ///< Lower bound on the eigenvalues of S.
+  /// Upper bound on the singular values of F.
   double largest_stretch = std::numeric_limits<double>::infinity();
-  int relinearize = 0;  ///< rounds with the rotations of the round before, after the given ones
-  Rotations rotations = Rotations::biharmonic;
-  handles::RotationBlend blend = handles::RotationBlend::angle;
-  sdp_penalty::Options solver = {};
+  /// Rounds with the rotations of the round before, after that with the given ones.
+  int relinearize = 0;
+  Rotations rotations = Rotations::biharmonic;                   ///< Where the ex-rotations come from.
+  handles::RotationBlend blend = handles::RotationBlend::angle;  ///< How rotations of handles are blended.
+  sdp_penalty::Options solver = {};                              ///< Options of the convex problem.
 
   /// Visits (Field, member) for each option but the handles, those of the solver among them, see
   /// core/option_fields.hpp.

@@ -14,20 +14,22 @@ namespace isostretch::deformation {
 
 /// Elements with an energy of their own.
 struct RegionSpec {
-  std::string path;  ///< for messages, such as "regions[0]"
-  std::string name;
+  std::string path;                          ///< for messages, such as "regions[0]"
+  std::string name;                          ///< Shown in reports.
   std::optional<handles::Selection> select;  ///< elements all of whose nodes are in it
   std::vector<int> elements;                 ///< otherwise these
-  energies::AnyEnergy energy;
+  energies::AnyEnergy energy;                ///< The energy of these elements.
 };
 
 /// How a body is deformed, frame by frame: what moves, and what it is made of.
 struct SequenceOptions {
-  energies::AnyEnergy energy;            ///< of what is in no region
+  energies::AnyEnergy energy;            ///< The energy of elements that are in no region.
   std::vector<RegionSpec> regions = {};  ///< the first that has an element keeps it
-  HandleScript script = {};
+  HandleScript script = {};              ///< Handles, how they move, and the number of frames.
+  /// Where the minimisation of a frame starts from.
   InitialGuess guess = InitialGuess::biharmonic;
-  newton::Options newton = {};  ///< of a frame; its time_limit is that of all frames together
+  /// Options of the solve of a frame; time_limit is that of all frames together.
+  newton::Options newton = {};
 
   /// Visits (Field, member) for each option that is a number or a choice, see core/option_fields.hpp.
   template <class Self, class Visit>

@@ -12,11 +12,15 @@ namespace isostretch::mesh {
 /// Error that begins with the path; writers make the file appear complete or not at all.
 struct Format {
   std::string extension;  ///< In lower case with its dot, such as ".off".
+  /// Reads a surface.
   std::function<SurfaceMesh(const std::string& path, const ReadOptions&)> read_surface = {};
+  /// Reads tetrahedra.
   std::function<TetMesh(const std::string& path, const ReadOptions&)> read_tets = {};
   /// Reads the elements of a body; where it is empty, the triangles of read_surface are taken.
   std::function<ElementMesh(const std::string& path, const ReadOptions&)> read_elements = {};
+  /// Writes a surface.
   std::function<void(const std::string& path, const SurfaceMesh&, const WriteOptions&)> write_surface = {};
+  /// Writes tetrahedra.
   std::function<void(const std::string& path, const TetMesh&, const WriteOptions&)> write_tets = {};
 };
 

@@ -6,16 +6,20 @@
 
 namespace isostretch::newton {
 
-/// What a line search has found.
+/// The result of a line search.
 struct LineSearchResult {
+  /// Whether a step gained enough.
   bool accepted = false;
   /// Accepted although, or refused because, the promised gain is below the rounding of the energy.
   bool at_roundoff = false;
+  /// The length of the step, as a share of the direction.
   double step = 0;
-  double change = 0;  ///< of the energy, by the step
+  /// The change of the energy by the step.
+  double change = 0;
   /// Gain of the first step tried over what the quadratic model promised for it; -infinity outside the
   /// domain.
   double model_fit = 0;
+  /// The number of evaluations of the energy.
   int evaluations = 0;
 };
 

@@ -10,7 +10,8 @@ namespace isostretch::newton {
 Summary minimize(Objective& objective, Vector& x, const Options& options = {},
                  const IterationCallback& callback = {});
 
-/// The same from Eigen's own vector, whose memory stays in the caller's code.
+/// Minimises as minimize() above does, from a vector of Eigen's own vector, whose memory stays in the
+/// caller's code.
 inline Summary minimize(Objective& objective, Eigen::VectorXd& x, const Options& options = {},
                         const IterationCallback& callback = {}) {
   Vector positions = x;

@@ -24,10 +24,13 @@ class Objective {
   /// dim.
   Objective(int dim, int node_count);
   ~Objective();
+  /// Takes over another objective.
   Objective(Objective&&) noexcept;
+  /// Takes over another objective.
   Objective& operator=(Objective&&) noexcept;
 
   template <class T, class... Arguments>
+  /// Adds a term of type T, made of the arguments, and returns it.
   T& add(Arguments&&... arguments) {
     auto term = std::make_unique<T>(std::forward<Arguments>(arguments)...);
     T& reference = *term;
@@ -38,10 +41,12 @@ class Objective {
   void add_term(std::unique_ptr<Term> term);
   /// Takes a term out and destroys it. Throws Error when it is none of the objective's.
   void remove(const Term& term);
+  /// Returns whether there is a term.
   bool has_terms() const { return !terms_.empty(); }
 
   /// Pins a node, or one coordinate of it. Throws Error when the node (or axis) is out of range.
   void pin(int node);
+  /// Keeps one coordinate of a node where it is.
   void pin(int node, int axis);
 
   /// Makes the coordinate along `axis` the same for both nodes, in the start of a solve and ever after: nodes
@@ -49,9 +54,13 @@ class Objective {
   /// Throws Error when a node or the axis is out of range.
   void add_equality(int node, int other, int axis);
 
+  /// Returns the dimension, 2 or 3.
   int dim() const { return dim_; }
+  /// Returns the number of nodes.
   int node_count() const { return node_count_; }
+  /// Returns the number of coordinates of all nodes.
   int dofs() const { return dim_ * node_count_; }
+  /// Returns whether a coordinate is pinned.
   bool has_pins() const;
 
   /// Returns the sparsity of the terms whose stencil stays, made at the first use after a change of terms or
@@ -88,6 +97,7 @@ class Objective {
 
   /// Tells all terms that a solve begins at x, or that a step has led there (Term::begin_solve, accepted).
   void begin_solve(const Vector& x);
+  /// Tells all terms that a step has led to x.
   void accepted(const Vector& x);
 
   /// Takes a gradient to the unknowns.
@@ -118,12 +128,12 @@ class Objective {
   std::vector<std::unique_ptr<Term>> terms_;
   std::vector<bool> pinned_;
   std::vector<int>
-      equal_to_;  // of every degree of freedom, the next one of a chain to its representative; or empty
+      equal_to_;  ///< for every degree of freedom the next one of a chain to its representative; or empty
   std::unique_ptr<assembly::HessianPattern> pattern_;
   int version_ = 0;
-  std::unique_ptr<MovingPattern> moving_;  // null without moving stencils
+  std::unique_ptr<MovingPattern> moving_;  ///< null without moving stencils
   int stencil_version_ = 0;
-  std::unique_ptr<EqualityConstraints> equalities_;  // null without linear equality constraints
+  std::unique_ptr<EqualityConstraints> equalities_;  ///< null without linear equality constraints
 };
 
 }  // namespace isostretch::newton

@@ -11,19 +11,20 @@
 
 namespace isostretch::newton {
 
-// How the Hessian is made positive definite.
+/// The ways in which the Hessian is made positive definite.
 enum class Projection {
-  adaptive,  // filtered only as much as a step needs
-  clamp,     // every negative eigenvalue at every quadrature point to zero
-  abs,       // to its absolute value
-  none,      // nothing; a failed factorization is answered by a diagonal shift
-  // None, clamp or abs by how well the model fitted the last step (after Chen et al. 2024, "Trust-Region
-  // Eigenvalue Filtering for Projected Newton"); clamp where none does not factorise.
+  adaptive,  ///< Filters only as much as a step needs.
+  clamp,     ///< Sets every negative eigenvalue at every quadrature point to zero.
+  abs,       ///< Takes the absolute value of every eigenvalue.
+  none,      ///< Filters nothing; a failed factorization is answered by a diagonal shift.
+  /// Takes none, clamp or abs by how well the model fitted the last step (after Chen et al. 2024,
+  /// "Trust-Region Eigenvalue Filtering for Projected Newton"), and clamp where none does not factorise.
   trust_region,
-  // Clamp, but only at elements with a node at which the gradient exceeds a share of the largest one; the
-  // share falls until the Hessian factorises (after Fernandez-Fernandez et al. 2026).
+  /// Clamps, but only at elements with a node at which the gradient exceeds a share of the largest one; the
+  /// share falls until the Hessian factorises (after Fernandez-Fernandez et al. 2026).
   progressive,
 };
+/// Returns the names of the projections on command lines and in scenes.
 constexpr ChoiceNames<Projection, 6> choice_names(Projection) {
   return {{{"adaptive", Projection::adaptive},
            {"clamp", Projection::clamp},
@@ -33,68 +34,86 @@ constexpr ChoiceNames<Projection, 6> choice_names(Projection) {
            {"progressive", Projection::progressive}}};
 }
 
+/// Returns the name of a projection, such as "adaptive".
 std::string_view projection_name(Projection projection) noexcept;
-// Throws Error naming the choices.
+/// Returns the projection of that name. Throws Error naming the choices if there is none.
 Projection projection_from_name(std::string_view name);
+/// Returns the names of all projections.
 std::vector<std::string> projection_names();
 
+/// The ways in which the length of a step is found.
 enum class LineSearch {
-  backtracking,  // Armijo from the largest step that stays in the domain (at most 1)
-  none,          // the full step, or the largest in the domain
+  backtracking,  ///< Armijo's rule from the largest step that stays in the domain, at most 1.
+  none,          ///< The full step, or the largest in the domain.
 };
+/// Returns the names of the line searches in scenes.
 constexpr ChoiceNames<LineSearch, 2> choice_names(LineSearch) {
   return {{{"backtracking", LineSearch::backtracking}, {"none", LineSearch::none}}};
 }
 
+/// The options of Newton's method. Of the tests of convergence each is off when it is zero; the first that
+/// holds ends the solve.
 struct Options {
+  /// How the Hessian is made positive definite.
   Projection projection = Projection::adaptive;
-  // adaptive: steps before the exact Hessian is tried again after it failed to factorise or gave a poor step.
+  /// Steps before Projection::adaptive tries the exact Hessian again, after it failed to factorise or gave a
+  /// poor step.
   int retry_interval = 3;
-  // Smallest eigenvalue after filtering at a quadrature point, in the units of psi.
+  /// Smallest eigenvalue after filtering at a quadrature point, in the units of psi.
   double filter_threshold = 0;
 
-  // Stopping. Each test is off when zero; the first that holds ends the solve.
-  //   |gradient|_inf <= gradient_tolerance: absolute, as published comparisons use it (1e-4 with total rest
-  //   area 1).
+  /// Bound on |gradient|_inf at the end, absolute as published comparisons use it (1e-4 with total rest area
+  /// 1).
   double gradient_tolerance = 0;
-  //   |gradient|_inf <= scaled_gradient_tolerance * median(diag Hessian) * diagonal of the bounding box of x:
-  //   does not change with the units of length and energy. 1e-6 leaves positions accurate to a few digits
-  //   more than that. The Newton decrement must besides be below 1e-8 of the energy, without which stiff
-  //   elements among soft ones could pass for convergence.
+  /// Bound on |gradient|_inf at the end, over median(diag Hessian) times the diagonal of the bounding box of
+  /// x. It does not change with the units of length and energy. 1e-6 leaves positions accurate to a few
+  /// digits more than that. The Newton decrement must besides be below 1e-8 of the energy, without which
+  /// stiff elements among soft ones could pass for convergence.
   double scaled_gradient_tolerance = 1e-6;
-  //   1/2 gradient . H^-1 gradient <= decrement_tolerance, in units of the energy: what a full step promises
-  //   to gain.
+  /// Bound on 1/2 gradient . H^-1 gradient at the end, in units of the energy: the gain that a full step
+  /// promises.
   double decrement_tolerance = 0;
-  //   (E_before - E) / |E| <= relative_energy_tolerance after a full step.
+  /// Bound on (E_before - E) / |E| after a full step.
   double relative_energy_tolerance = 0;
+  /// Largest number of iterations.
   int max_iterations = 1000;
-  double time_limit = 0;  // seconds
+  /// Longest time of a solve, in seconds; 0: no limit.
+  double time_limit = 0;
   /// Asked between iterations; the solve ends as with a callback, or with the limit of time, when it says so.
   StopToken stop;
 
+  /// How the length of a step is found.
   LineSearch line_search = LineSearch::backtracking;
-  double armijo = 1e-4;  // share of the slope's promise that must be gained
+  /// Share of the gain which the slope promises that a step must reach.
+  double armijo = 1e-4;
+  /// Factor by which a step that gained too little is shortened.
   double backtracking_factor = 0.5;
+  /// Largest number of steps tried in one direction.
   int max_backtracks = 60;
-  double domain_fraction = 0.9;  // of the largest step in the domain, when that is shorter than 1
+  /// Share of the largest step in the domain that is taken, when that is shorter than 1.
+  double domain_fraction = 0.9;
 
-  // A first step that gains more than expansion_ratio times what the quadratic model promised is lengthened
-  // by expansion_factor while the energy falls, up to max_expansion. max_expansion = 1 never lengthens.
+  /// Gain over the gain that the quadratic model promised from which on a first step is lengthened while the
+  /// energy falls.
   double expansion_ratio = 1.1;
+  /// Factor by which such a step is lengthened.
   double expansion_factor = 2;
+  /// Longest step that lengthening may lead to; 1 never lengthens.
   double max_expansion = 64;
 
-  // Added to the diagonal of every Hessian, relative to its median entry: an objective without pins is
-  // singular along rigid motions. Multiplied by 100 as often as a fully filtered Hessian fails to factorise,
-  // max_shifts times at most.
+  /// Share of the median entry that is added to the diagonal of every Hessian: an objective without pins is
+  /// singular along rigid motions. It grows a hundredfold as often as a fully filtered Hessian fails to
+  /// factorise.
   double relative_shift = 1e-10;
+  /// Largest number of times that the shift grows.
   int max_shifts = 6;
 
+  /// The solver of the linear systems.
   sparse::Options solver;
 
-  // Iterative solvers need not be more accurate than the model is good: the relative residual asked of them
-  // is at most largest_forcing, and falls with the square of the gradient (Eisenstat & Walker 1996, choice
-  // 2), not below solver.pcg_tolerance. 0: always solver.pcg_tolerance.
+  /// Largest relative residual that is asked of iterative solvers, which need not be more accurate than the
+  /// model is good. It falls with the square of the gradient (Eisenstat & Walker 1996, choice 2), not below
+  /// solver.pcg_tolerance. 0: always solver.pcg_tolerance.
   double largest_forcing = 0.1;
 
   /// Visits (Field, member) for each option, see core/option_fields.hpp.

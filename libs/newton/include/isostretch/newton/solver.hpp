@@ -34,7 +34,9 @@ class Solver {
   explicit Solver(Objective& objective, const Options& options = {},
                   std::unique_ptr<sparse::Solver> linear_solver = nullptr);
   ~Solver();
+  /// Takes over another solver with what it keeps.
   Solver(Solver&&) noexcept;
+  /// Takes over another solver with what it keeps.
   Solver& operator=(Solver&&) noexcept;
 
   /// Minimises from x (dim * node_count entries, node by node), which ends as the best positions found, also
@@ -57,6 +59,7 @@ class Solver {
   /// Sets the options of the solves that follow. Throws Error for options that make no sense. Other `solver`
   /// options than before make another linear solver, unless one was handed in.
   void set_options(const Options& options);
+  /// Returns the options of the next solve.
   const Options& options() const;
 
   /// Returns how often an analysis with a new ordering was made, over all solves.

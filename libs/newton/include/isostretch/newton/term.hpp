@@ -73,6 +73,7 @@ class Term {
 /// scale * sum over quadrature points of weight * psi(F).
 class EnergyTerm final : public Term {
  public:
+  /// Makes the term of these elements, which must outlive it, with an energy.
   EnergyTerm(const assembly::Elements& elements, energies::AnyEnergy energy);
 
   /// Multiplies the energy by a number of 0 or more, 1 at first. A term of scale 0 is left out, with its
@@ -93,6 +94,7 @@ class EnergyTerm final : public Term {
   double max_step(const Vector& x, const Vector& dx, double limit) const override;
   bool has_barrier() const override { return !left_out_ && assembler_.energy().has_barrier(); }
 
+  /// Returns the assembler behind the term.
   const assembly::EnergyAssembler& assembler() const { return assembler_; }
 
  private:
@@ -105,6 +107,7 @@ void require_fitting(const char* term, int dim, int node_count, int objective_di
 
 /// A node and where it is drawn to.
 struct SoftPin {
+  /// The node that is pulled.
   int node = -1;
   std::vector<double> target;  ///< dim entries
   double weight = 1;           ///< energy per squared length

@@ -4,9 +4,10 @@
 
 namespace isostretch::scene {
 
-/// What every run of a method is allowed in a comparison.
+/// The limits of every run of a method in a comparison. is allowed in a comparison.
 struct ComparisonLimits {
   double gradient_tolerance = 1e-4;  ///< largest component of the gradient, with a rest of area or volume 1
+  /// The largest number of iterations of a run.
   int max_iterations = 1000;
   double time_limit = 60;   ///< seconds; 0: none
   double memory_limit = 0;  ///< megabytes; 0: none

@@ -17,15 +17,19 @@ namespace isostretch::scene {
 /// message. All that is asked of a value which it is not throws Error. The document must live longer.
 class Node {
  public:
+  /// Makes the node of a value, which must live longer, at that path.
   explicit Node(const Value& value, std::string path = {});
 
+  /// Returns the value.
   const Value& value() const { return *value_; }
+  /// Returns the path.
   const std::string& path() const { return path_; }
   /// Throws Error: the path and `what`.
   [[noreturn]] void fail(const std::string& what) const;
 
   /// Returns this object. Throws Error naming a key that is none of these.
   const Node& only(const std::vector<std::string>& keys) const;
+  /// Returns whether the value is an object that has the key.
   bool has(const std::string& key) const { return value_->has(key); }
   /// Returns the value of that key of an object, which must be there.
   Node at(const std::string& key) const;
@@ -36,9 +40,12 @@ class Node {
   double number(const Range& range) const;              ///< a finite number in the range
   double positive() const { return number(above(0)); }  ///< a finite number > 0
   int whole(int lowest, int highest) const;             ///< a whole number from `lowest` to `highest`
+  /// Returns the text. Throws Error for another kind of value.
   std::string text() const;
+  /// Returns the truth. Throws Error for another kind of value.
   bool truth() const;
-  std::vector<Node> items() const;         ///< of a list
+  /// Returns the items of a list. Throws Error for another kind of value.
+  std::vector<Node> items() const;
   std::vector<double> numbers() const;     ///< a list of finite numbers
   std::vector<int> whole_numbers() const;  ///< a list of whole numbers from 0
   /// Returns a point: `dim` numbers, and zero for the third in the plane.

@@ -18,9 +18,12 @@ Value scene_schema();
 /// Returns the keys that a scene may have.
 std::vector<std::string> scene_keys();
 
-/// What upgrade() has moved.
+/// A key that upgrade() has moved.
 struct RenamedKey {
-  std::string from, to;  ///< paths, such as "units" and "manipulation.length_unit"
+  /// The path before, such as "units".
+  std::string from;
+  /// The path now, such as "manipulation.length_unit".
+  std::string to;
 };
 
 /// Gives a scene without "schema" the form of the present schema: keys of scenes made before there was one

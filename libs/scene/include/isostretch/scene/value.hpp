@@ -15,15 +15,23 @@ struct Member;
 /// their order.
 class Value {
  public:
+  /// The items of a list.
   using List = std::vector<Value>;
+  /// The members of an object.
   using Object = std::vector<Member>;
 
   Value() = default;  ///< null
+  /// Makes true or false.
   Value(bool truth) : data_(truth) {}
+  /// Makes a number.
   Value(int number) : data_(static_cast<double>(number)) {}
+  /// Makes a number.
   Value(double number) : data_(number) {}
+  /// Makes a text.
   Value(const char* text) : data_(std::string(text)) {}
+  /// Makes a text.
   Value(std::string text) : data_(std::move(text)) {}
+  /// Makes a list of numbers.
   Value(std::vector<double> numbers);
   /// Makes a list of these.
   static Value list(List items = {});
@@ -32,19 +40,30 @@ class Value {
   /// Makes an object with one key.
   static Value object(const std::string& key, Value value);
 
+  /// Returns whether the value is null.
   bool is_null() const { return std::holds_alternative<std::monostate>(data_); }
+  /// Returns whether the value is true or false.
   bool is_truth() const { return std::holds_alternative<bool>(data_); }
+  /// Returns whether the value is a number.
   bool is_number() const { return std::holds_alternative<double>(data_); }
+  /// Returns whether the value is a text.
   bool is_text() const { return std::holds_alternative<std::string>(data_); }
+  /// Returns whether the value is a list.
   bool is_list() const { return std::holds_alternative<List>(data_); }
+  /// Returns whether the value is an object.
   bool is_object() const { return std::holds_alternative<Object>(data_); }
 
-  /// These return what the value is, which must be of that kind.
+  /// Returns the truth that the value is, which must be one., which must be of that kind.
   bool truth() const { return std::get<bool>(data_); }
+  /// Returns the number that the value is, which must be one.
   double number() const { return std::get<double>(data_); }
+  /// Returns the text that the value is, which must be one.
   const std::string& text() const { return std::get<std::string>(data_); }
+  /// Returns the items of the list that the value is, which must be one.
   const List& items() const { return std::get<List>(data_); }
+  /// Returns the items of the list that the value is, which must be one, to be changed.
   List& items() { return std::get<List>(data_); }
+  /// Returns the members of the object that the value is, which must be one.
   const Object& members() const { return std::get<Object>(data_); }
 
   /// Returns the number of items of a list, members of an object, and 0 of anything else.
@@ -52,7 +71,9 @@ class Value {
 
   /// Returns the value of that key; null for a value that has none, or is no object.
   const Value* find(const std::string& key) const;
+  /// Returns the value of that key, to be changed; null for a value that has none, or is no object.
   Value* find(const std::string& key);
+  /// Returns whether the value is an object that has the key.
   bool has(const std::string& key) const { return find(key) != nullptr; }
   /// Returns the value of that key, which is added as null where there is none. The value must be an object,
   /// or null, which becomes one.
@@ -65,6 +86,7 @@ class Value {
   /// Returns the path that messages give this value where it is not that of its place, because it has been
   /// moved since a user wrote it; empty otherwise.
   const std::string& origin() const { return origin_; }
+  /// Sets the path that messages give this value.
   void set_origin(std::string path) { origin_ = std::move(path); }
 
   /// Compares all but origins.
@@ -77,7 +99,9 @@ class Value {
 
 /// A key of an object and its value.
 struct Member {
+  /// The key.
   std::string key;
+  /// Its value.
   Value value;
 
   friend bool operator==(const Member&, const Member&) = default;

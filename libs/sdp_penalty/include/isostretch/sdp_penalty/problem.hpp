@@ -10,8 +10,10 @@ namespace isostretch::sdp_penalty {
 
 /// Node to bring to a position: softly, by the term with alpha, or to hold there.
 struct Target {
+  /// The node.
   int node = -1;
   std::vector<double> position;  ///< dim entries
+  /// Whether the node is held there exactly.
   bool hard = false;
 };
 
@@ -48,8 +50,11 @@ struct Problem {
 
   /// Returns whether largest_stretch is finite.
   bool bounds_stretch() const { return largest_stretch < std::numeric_limits<double>::infinity(); }
+  /// Returns the dimension of the body, 2 or 3.
   int dim() const { return elements.dim; }
+  /// Returns the number of elements.
   int element_count() const { return elements.element_count(); }
+  /// Returns the number of nodes.
   int node_count() const { return elements.node_count; }
 
   /// Throws Error naming the element, target or entry that is out of range, not finite or no rotation, the

@@ -9,7 +9,9 @@ namespace isostretch::sdp_penalty {
 
 /// How solve_relinearized() goes about it.
 struct RelinearizeOptions {
-  Options solve;  ///< of the convex problems
+  /// The options of the convex problems.
+  Options solve;
+  /// The largest number of rounds.
   int max_rounds = 100;
   /// Ends when a round lowers the energy (with each element's own nearest rotation) by less than this share.
   double tolerance = 1e-6;
@@ -22,23 +24,29 @@ struct RelinearizeOptions {
 
 /// One convex problem of solve_relinearized().
 struct RelinearizeRound {
-  Status status = Status::not_run;  ///< of the convex problem of this round
-  bool penalty_solution = false;    ///< it was infeasible: this is the penalty solution
+  /// How the convex problem of this round ended.
+  Status status = Status::not_run;
+  bool penalty_solution = false;  ///< it was infeasible: this is the penalty solution
+  /// The number of iterations of the round.
   int iterations = 0;
+  /// The number of linear solves of the round.
   int linear_solves = 0;
   /// With the nearest rotation of every F in the place of R: what falls from round to round, once feasible.
   double energy = 0;
   double min_eigenvalue = 0;  ///< with the rotations that the round was given
+  /// The number of inverted elements after the round.
   int inverted = 0;
+  /// Wall time of the round.
   double seconds = 0;
 };
 
-/// What solve_relinearized() has done.
+/// The result of solve_relinearized().
 struct RelinearizeSummary {
   bool settled = false;  ///< by the tolerance
   bool stopped = false;  ///< by the callback
-  /// Of the last round's convex problem; of its penalty solution where it has no feasible x.
+  /// The summary of the last round's convex problem; of its penalty solution where it has no feasible x.
   Summary last;
+  /// The rounds, in their order.
   std::vector<RelinearizeRound> rounds;
   /// The rotations that the last round was given, [element][dim * dim]: `last` is about these.
   std::vector<double> rotations;

@@ -26,7 +26,9 @@ class Solver {
   /// Throws Error for options that make no sense.
   explicit Solver(const Options& options = {});
   ~Solver();
+  /// Takes over another solver with what it keeps.
   Solver(Solver&&) noexcept;
+  /// Takes over another solver with what it keeps.
   Solver& operator=(Solver&&) noexcept;
 
   /// Solves a problem; x becomes the result and may be empty on entry: what it holds does not matter. Every

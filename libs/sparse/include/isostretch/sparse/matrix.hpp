@@ -11,6 +11,7 @@ namespace isostretch::sparse {
 /// row[k], value[k] for column_start[j] <= k < column_start[j + 1], rows strictly increasing from the
 /// diagonal, which is always present (it may be zero).
 struct SymmetricMatrix {
+  /// The number of rows and columns.
   int size = 0;
   std::vector<int> column_start;  ///< size + 1
   std::vector<int> row;           ///< nonzeros
@@ -21,6 +22,7 @@ struct SymmetricMatrix {
   /// together; block-Jacobi takes its blocks from it. Correctness never depends on it.
   std::vector<int> group;
 
+  /// Returns the number of entries stored.
   int nonzeros() const { return static_cast<int>(row.size()); }
 
   /// Computes y = A x, raw arrays of `size` entries that do not overlap.

@@ -7,19 +7,33 @@
 
 namespace isostretch::sparse {
 
-// automatic: a factorization, by CHOLMOD where it was compiled in (supernodal or simplicial by the work per
-// entry of the factor), by Eigen otherwise; for tetrahedral meshes whose factorization would take too long
-// (automatic_max_flops) or would not fit into memory, pcg with algebraic multigrid. CHOLMOD's supernodal
-// module is under the GPL: a program that links it falls under it too; configure with
-// ISOSTRETCH_WITH_SUITESPARSE=OFF to leave CHOLMOD out.
-// Values beyond the last are those of register_solver() (solver.hpp).
-enum class Backend { automatic, cholmod_supernodal, cholmod_simplicial, eigen_ldlt, pcg };
+/// The solvers of linear systems. Values beyond the last are those of register_solver() (solver.hpp).
+enum class Backend {
+  /// A factorization, by CHOLMOD where it was compiled in (supernodal or simplicial by the work per entry of
+  /// the
+  /// factor), by Eigen otherwise. For tetrahedral meshes whose factorization would take too long
+  /// (automatic_max_flops) or would not fit into memory, pcg with algebraic multigrid.
+  automatic,
+  /// CHOLMOD's supernodal module. It is under the GPL, and a program that links it falls under it too;
+  /// configure
+  /// with ISOSTRETCH_WITH_SUITESPARSE=OFF to leave CHOLMOD out.
+  cholmod_supernodal,
+  cholmod_simplicial,  ///< CHOLMOD's simplicial factorization.
+  eigen_ldlt,          ///< Eigen's simplicial factorization.
+  pcg                  ///< Conjugate gradients with a preconditioner.
+};
 /// Returns the back end of options as a choice by name: those built in, compiled in or not, and those
 /// registered.
 ChoiceSlot choice_slot(Backend& backend);
 
-// automatic: see README.md for the measurements behind the choice. metis needs CHOLMOD.
-enum class Ordering { automatic, amd, metis, natural };
+/// The orders in which direct solvers eliminate unknowns.
+enum class Ordering {
+  automatic,  ///< By size and dimension; README.md has the measurements behind the choice.
+  amd,        ///< Approximate minimum degree: quick.
+  metis,      ///< Nested dissection, which leaves less to factorise; needs CHOLMOD.
+  natural     ///< The order of the unknowns.
+};
+/// Returns the names of the orderings on command lines and in scenes.
 constexpr ChoiceNames<Ordering, 4> choice_names(Ordering) {
   return {{{"automatic", Ordering::automatic},
            {"amd", Ordering::amd},
@@ -27,12 +41,17 @@ constexpr ChoiceNames<Ordering, 4> choice_names(Ordering) {
            {"natural", Ordering::natural}}};
 }
 
-// jacobi, block_jacobi: the diagonal, or the blocks of the groups on it.
-// incomplete_cholesky: IC(0) of the blocks, with a shift where it breaks down.
-// stale_cholesky: the factor of an earlier matrix of the pattern, renewed by stale_max_iterations.
-// amg: algebraic multigrid by smoothed aggregation, renewed by the same rule. It wants the positions of nodes
-// (Solver::set_coordinates).
-enum class Preconditioner { jacobi, block_jacobi, incomplete_cholesky, stale_cholesky, amg };
+/// The preconditioners of conjugate gradients.
+enum class Preconditioner {
+  jacobi,               ///< The diagonal.
+  block_jacobi,         ///< The blocks of the groups on the diagonal.
+  incomplete_cholesky,  ///< IC(0) of the blocks, with a shift where it breaks down.
+  stale_cholesky,       ///< The factor of an earlier matrix of the pattern, renewed by stale_max_iterations.
+  /// Algebraic multigrid by smoothed aggregation, renewed by stale_max_iterations. It wants the positions of
+  /// nodes (Solver::set_coordinates).
+  amg
+};
+/// Returns the names of the preconditioners on command lines and in scenes.
 constexpr ChoiceNames<Preconditioner, 5> choice_names(Preconditioner) {
   return {{{"jacobi", Preconditioner::jacobi},
            {"block_jacobi", Preconditioner::block_jacobi},
@@ -41,22 +60,26 @@ constexpr ChoiceNames<Preconditioner, 5> choice_names(Preconditioner) {
            {"amg", Preconditioner::amg}}};
 }
 
+/// The options of linear solvers; each back end looks at its own.
 struct Options {
+  /// The solver.
   Backend backend = Backend::automatic;
-  Ordering ordering = Ordering::automatic;  // not used by pcg
+  /// The order of elimination; pcg does not use it.
+  Ordering ordering = Ordering::automatic;
 
-  // Backend::automatic factorises a matrix of the 3D kind when that takes no more operations than this.
+  /// Operations up to which Backend::automatic factorises a matrix of the 3D kind.
   double automatic_max_flops = 4e9;
 
-  // pcg stops at |b - A x| <= pcg_tolerance |b| (2-norms, true residual) or after pcg_max_iterations
-  // multiplications by A; 0 means 10 * size + 100.
+  /// Relative residual |b - A x| / |b| (2-norms, true residual) at which pcg stops.
   double pcg_tolerance = 1e-8;
+  /// Multiplications by A after which pcg stops; 0: 10 * size + 100.
   int pcg_max_iterations = 0;
+  /// The preconditioner of pcg.
   Preconditioner pcg_preconditioner = Preconditioner::block_jacobi;
 
-  // stale_cholesky and amg: a preconditioner is kept for the matrices that follow until a solve takes more
-  // multiplications than this, or fails. 0: 40 for amg, and by the work of the
-  // factorization for stale_cholesky, 4 and more (README.md).
+  /// Multiplications that a solve may take before stale_cholesky and amg renew their preconditioner for the
+  /// matrices that follow. 0: 40 for amg, and by the work of the factorization for stale_cholesky, 4 and more
+  /// (README.md).
   int stale_max_iterations = 0;
 
   friend bool operator==(const Options&, const Options&) = default;
@@ -86,13 +109,17 @@ struct Options {
   }
 };
 
-// Names as on a command line: the enumerator's own, and that given to register_solver(). The inverse throws
-// Error listing the names there are.
+/// Returns the name of a back end, or that given to register_solver().
 std::string_view backend_name(Backend backend) noexcept;
+/// Returns the name of an ordering.
 std::string_view ordering_name(Ordering ordering) noexcept;
+/// Returns the name of a preconditioner.
 std::string_view preconditioner_name(Preconditioner preconditioner) noexcept;
+/// Returns the back end of that name. Throws Error listing the names there are if there is none.
 Backend backend_from_name(std::string_view name);
+/// Returns the ordering of that name. Throws Error listing the names there are if there is none.
 Ordering ordering_from_name(std::string_view name);
+/// Returns the preconditioner of that name. Throws Error listing the names there are if there is none.
 Preconditioner preconditioner_from_name(std::string_view name);
 
 /// Returns the back ends compiled in, without `automatic` and the preferred one first, and then those
@@ -100,9 +127,9 @@ Preconditioner preconditioner_from_name(std::string_view name);
 std::vector<Backend> available_backends();
 /// Returns whether a back end was compiled in or registered; `automatic` always was.
 bool is_available(Backend backend);
-// All of them: none depends on what is compiled in.
+/// All of them: none depends on what is compiled in.
 const std::vector<Preconditioner>& all_preconditioners();
-// Orderings that can be asked for, without `automatic`.
+/// Orderings that can be asked for, without `automatic`.
 const std::vector<Ordering>& available_orderings();
 
 }  // namespace isostretch::sparse

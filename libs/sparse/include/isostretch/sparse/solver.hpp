@@ -19,10 +19,12 @@ enum class FactorStatus { ok, not_positive_definite, out_of_memory, failed };
 
 /// How an analysis or a factorization ended, and why.
 struct FactorResult {
+  /// How the factorization ended.
   FactorStatus status = FactorStatus::ok;
   /// Where the first non-positive pivot was met, in the caller's numbering; -1: not known.
   int column = -1;
   std::string message;  ///< empty when ok
+  /// Returns whether the factorization succeeded.
   explicit operator bool() const { return status == FactorStatus::ok; }
 };
 
@@ -35,28 +37,35 @@ enum class SolveStatus { ok, not_converged, not_positive_definite, failed };
 
 /// How a solution ended, and how good it is.
 struct SolveResult {
+  /// How the solve ended.
   SolveStatus status = SolveStatus::ok;
   int iterations = 0;  ///< pcg: multiplications by A; summed over the right-hand sides
   /// pcg: largest |b - A x| / |b|; direct solvers do not measure it and say 0.
   double relative_residual = 0;
   std::string message;  ///< empty when ok
+  /// Returns whether the solve succeeded.
   explicit operator bool() const { return status == SolveStatus::ok; }
 };
 
-/// What a solver has done so far, and how.
+/// The work of a solver so far, and how it was done.
 struct Statistics {
   Backend backend = Backend::automatic;  ///< the one at work, never automatic after analyze()
   Preconditioner preconditioner = Preconditioner::jacobi;  ///< pcg
   Ordering ordering = Ordering::automatic;                 ///< the one used, never automatic after analyze()
-  double factor_nonzeros = 0;   ///< nnz(L) with the diagonal, without supernodal padding
-  double factor_flops = 0;      ///< of one factorization; 0 where the back end does not say
+  double factor_nonzeros = 0;  ///< nnz(L) with the diagonal, without supernodal padding
+  /// Operations of one factorization; 0 where the back end does not say.
+  double factor_flops = 0;
   double ordering_seconds = 0;  ///< part of analyze_seconds
   double analyze_seconds = 0;   ///< seconds and calls add up over the life of the solver
+  /// Time of numeric factorizations, in seconds.
   double factorize_seconds = 0;
+  /// Time of solves, in seconds.
   double solve_seconds = 0;
   int analyze_calls = 0;  ///< with those of update_pattern()
   int orderings = 0;      ///< fill-reducing orderings computed
+  /// The number of numeric factorizations.
   int factorize_calls = 0;
+  /// The number of solves.
   int solve_calls = 0;
   int factorizations = 0;   ///< factors and preconditioners made: fewer than calls where stale ones serve
   int multiplications = 0;  ///< pcg: by A, over all solves
@@ -65,7 +74,7 @@ struct Statistics {
 /// Solves A x = b for symmetric positive definite A:
 ///
 ///   auto solver = make_solver({});
-///   solver->analyze(A);                       // once per sparsity pattern
+///   solver->analyze(A);                       ///< once per sparsity pattern
 ///   if (solver->factorize(A)) solver->solve(b, x);
 ///
 /// A that is not positive definite is a status, found at the first non-positive pivot (eigen_ldlt: after a
@@ -128,16 +137,21 @@ class Solver {
  protected:
   Solver();
 
-  // What a back end supplies. Matrices are validated, finite and never empty; x and b have the right sizes.
+  /// The part that a back end supplies. Matrices are validated, finite and never empty; x and b have the
+  /// right sizes.
   virtual FactorResult do_analyze(const SymmetricMatrix& A) = 0;
   /// Analyzes a pattern that is near to the one before. Analyzes anew unless overridden.
   virtual FactorResult do_update_pattern(const SymmetricMatrix& A) { return do_analyze(A); }
+  /// Factorises the matrix, whose pattern was analyzed.
   virtual FactorResult do_factorize(const SymmetricMatrix& A) = 0;
+  /// Solves for so many right-hand sides, column by column.
   virtual SolveResult do_solve(const double* b, double* x, int columns) = 0;
-  // Arguments are valid.
+  /// Arguments are valid.
   virtual void do_set_tolerance(double) {}
+  /// Takes the positions of nodes, for back ends that use them.
   virtual void do_set_coordinates(const double*, int, int, const std::vector<int>&) {}
 
+  /// The counts and times that statistics() returns.
   Statistics statistics_;
 
  private:

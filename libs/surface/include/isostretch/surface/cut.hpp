@@ -18,6 +18,7 @@ enum class Holes {
   /// Keeps all.
   keep_all
 };
+/// Returns the names of the choices on the command line and in scenes.
 constexpr ChoiceNames<Holes, 3> choice_names(Holes) {
   return {{{"short", Holes::keep_short}, {"none", Holes::cut_all}, {"all", Holes::keep_all}}};
 }
