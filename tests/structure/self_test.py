@@ -125,15 +125,16 @@ class Reference(unittest.TestCase):
             folder = pathlib.Path(name)
             (folder / "x.hpp").write_text("namespace n {\n/// Returns 1.\nint known();\nint unknown();\n"
                                           "namespace detail { int hidden(); }\n"
-                                          "inline namespace ISOSTRETCH_ISA { int kernel(); }\n}\n")
+                                          "inline namespace ISOSTRETCH_ISA { int templated(); }\n}\n")
             (folder / "pages.dox").write_text("/// @namespace n\n/// A namespace.\n")
             values = {"ISOSTRETCH_REFERENCE_INPUT": name, "ISOSTRETCH_REFERENCE_DIR": name, "ISOSTRETCH_REFERENCE_STRIP": name,
                       "PROJECT_SOURCE_DIR": str(libraries.ROOT)}
             text = re.sub(r"@(\w+)@", lambda m: values.get(m.group(1), "x"), template).replace("*.hpp\n", "*.hpp *.dox\n", 1)
             (folder / "Doxyfile").write_text(text)
             warnings = check_reference.read_warnings(check_reference.run_doxygen(doxygen, folder / "Doxyfile"))
-        self.assertEqual(len(warnings), 1, warnings)
-        self.assertIn("unknown()", warnings[0])
+        self.assertEqual(len(warnings), 2, warnings)
+        self.assertIn("unknown()", warnings[0] + warnings[1])
+        self.assertIn("Member templated() (function) of namespace n is", warnings[0] + warnings[1])
 
 
 class KernelSymbols(unittest.TestCase):

@@ -65,9 +65,11 @@ struct FunctionAsPsi : Energy {
     return is_called && energies::supports<Energy>(dim);
   }
 
+  /// Returns the value of the function at the invariants.
   template <int Dim, class T>
   requires(!takes_stretches) ISOSTRETCH_INLINE T psi(const invariants::Invariants<Dim, T>& I)
   const { return (*this)(I.I1, I.I2, I.I3); }
+  /// Returns the value of the function at the principal stretches.
   template <int Dim, class T>
   requires takes_stretches ISOSTRETCH_INLINE T psi(const invariants::PrincipalStretches<Dim, T>& s)
   const {

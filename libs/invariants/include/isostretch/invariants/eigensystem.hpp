@@ -156,7 +156,9 @@ MatrixD2<Dim> hessian_I3(const MatrixD<Dim>& F) {
 /// The invariants of the right Cauchy-Green tensor C = F^T F: I_C = tr C, II_C = |C|^2, III_C = det C (Smith,
 /// de Goes, Kim 2019, appendix A, whose label on the second is misprinted).
 struct CauchyGreenInvariants {
-  double I_C, II_C, III_C;
+  double I_C;    ///< tr C.
+  double II_C;   ///< |C|^2.
+  double III_C;  ///< det C.
 };
 
 /// Returns the invariants of the right Cauchy-Green tensor that belong to I1, I2, I3.

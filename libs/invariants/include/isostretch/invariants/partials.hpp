@@ -19,9 +19,16 @@ inline namespace ISOSTRETCH_ISA {
 /// psi / d I1 d I2, ...
 template <class T>
 struct Partials {
-  T psi{};
-  T P1{}, P2{}, P3{};
-  T P11{}, P22{}, P33{}, P12{}, P23{}, P13{};
+  T psi{};  ///< The energy density.
+  T P1{};   ///< d psi / d I1.
+  T P2{};   ///< d psi / d I2.
+  T P3{};   ///< d psi / d I3.
+  T P11{};  ///< d2 psi / d I1 d I1.
+  T P22{};  ///< d2 psi / d I2 d I2.
+  T P33{};  ///< d2 psi / d I3 d I3.
+  T P12{};  ///< d2 psi / d I1 d I2.
+  T P23{};  ///< d2 psi / d I2 d I3.
+  T P13{};  ///< d2 psi / d I1 d I3.
 
   Partials() = default;
   /// Makes a constant: all derivatives are zero until a closed form sets them.

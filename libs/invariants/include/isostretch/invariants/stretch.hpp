@@ -16,8 +16,10 @@ inline namespace ISOSTRETCH_ISA {
 /// 2019, Eq. 6).
 template <int Dim, class T>
 struct Invariants {
-  static constexpr int dim = Dim;
-  T I1, I2, I3;
+  static constexpr int dim = Dim;  ///< Dimension, 2 or 3.
+  T I1;                            ///< tr S, the sum of the singular values.
+  T I2;                            ///< |S|^2, the sum of their squares.
+  T I3;                            ///< det F.
 };
 
 /// The number of pairs of singular values, each of which spans a plane of rotation.
@@ -40,9 +42,9 @@ ISOSTRETCH_INLINE constexpr int second(int pair) {
 /// |sigma_last|.
 template <int Dim, class T>
 struct PrincipalStretches {
-  static constexpr int dim = Dim;
-  static constexpr int pairs = pair_count<Dim>;
-  T sigma[Dim];
+  static constexpr int dim = Dim;                ///< Dimension, 2 or 3.
+  static constexpr int pairs = pair_count<Dim>;  ///< Number of pairs: 1 in 2D, 3 in 3D.
+  T sigma[Dim];                                  ///< The singular values, the sign of det F in the last.
 
   /// Returns sigma_i.
   ISOSTRETCH_INLINE T operator[](int i) const { return sigma[i]; }
@@ -135,8 +137,8 @@ struct PrincipalStretches {
 ///   sum_i twist_i t_i t_i^T + flip_i l_i l_i^T + sum_ij A_ij d_i d_j^T.
 template <int Dim, class T>
 struct StretchDerivatives {
-  static constexpr int pairs = pair_count<Dim>;
-  T psi;              ///< The energy density.
+  static constexpr int pairs = pair_count<Dim>;  ///< Number of pairs: 1 in 2D, 3 in 3D.
+  T psi;                                         ///< The energy density.
   T gradient[Dim];    ///< d psi / d sigma_i, the principal first Piola-Kirchhoff stresses.
   T twist[pairs];     ///< The eigenvalue of each pair's twist.
   T flip[pairs];      ///< The eigenvalue of each pair's flip.
