@@ -1,7 +1,7 @@
 # Kernel files are compiled once per instruction-set level and chosen at load (core/isa.hpp).
 #
 # The flags stay private to the generated files, so no -march reaches a user's code. A kernel file may use only
-# templates that live in the inline namespace ISOSTRETCH_ISA (core/pack.hpp): everything else with external linkage,
+# templates that live in the inline namespace ISOSTRETCH_ISA (core/isa_level.hpp): everything else with external linkage,
 # Eigen and most of the standard library included, could be kept by the linker in its AVX-512 copy for everybody.
 # tests/structure/check_kernel_symbols.py proves it on the object files.
 include(CheckCXXCompilerFlag)

@@ -2,6 +2,7 @@
 #include "file.hpp"
 #include "input_cursor.hpp"
 #include "msh_elements.hpp"
+#include "msh_header.hpp"
 #include "number.hpp"
 #include "tag_map.hpp"
 
@@ -23,46 +24,13 @@ class MshReader {
       : cursor_(contents, name), elements_(wanted, options) {}
 
   MixedMesh read() {
-    format();
+    version_ = read_msh_header(cursor_);
     if (version_ == MshVersion::v2_2) elements_.merge_copies_of_groups();
     while (!cursor_.empty()) section();
     return {std::move(vertices_), std::move(elements_), cursor_.place()};
   }
 
  private:
-  void format() {
-    if (cursor_.word() != "$MeshFormat") cursor_.fail("not an MSH file: it does not begin with $MeshFormat");
-    version();
-    const std::int64_t type = cursor_.text_integer("file type");
-    if (type != 0 && type != 1) cursor_.fail("file type " + std::to_string(type) + " is neither 0 nor 1");
-    if (cursor_.text_integer("data size") != 8) cursor_.fail("data size is not 8");
-    if (type == 1) byte_order();
-    expect("$EndMeshFormat");
-  }
-
-  void version() {
-    const std::string_view given = cursor_.word();
-    if (given == "2" || given == "2.0" || given == "2.1" || given == "2.2")
-      version_ = MshVersion::v2_2;
-    else if (given == "4" || given == "4.0")
-      version_ = MshVersion::v4_0;
-    else if (given == "4.1")
-      version_ = MshVersion::v4_1;
-    else
-      cursor_.fail("version " + quoted(given) + " is none of 2.0 to 2.2, 4.0 and 4.1");
-  }
-
-  // A one in the byte order of the file.
-  void byte_order() {
-    cursor_.line();
-    cursor_.set_coding(Coding::little_endian);
-    const std::size_t start = cursor_.position();
-    if (cursor_.integer(Scalar::int32, "number 1") == 1) return;
-    cursor_.seek(start);
-    cursor_.set_coding(Coding::big_endian);
-    if (cursor_.integer(Scalar::int32, "number 1") != 1) cursor_.fail("a number 1 should follow the format");
-  }
-
   void section() {
     const std::string_view keyword = cursor_.word();
     if (keyword.size() < 2 || keyword.front() != '$')
@@ -154,12 +122,7 @@ class MshReader {
       cursor_.fail("the file ends within an entity");
   }
 
-  void expect(const char* keyword) {
-    const std::string_view found = cursor_.word();
-    if (found != keyword)
-      cursor_.fail(found.empty() ? std::string("the file ends where ") + keyword + " should be"
-                                 : std::string(keyword) + " expected, not " + quoted(found));
-  }
+  void expect(const char* keyword) { expect_word(cursor_, keyword); }
 
   void nodes() {
     if (has_elements_) cursor_.fail("nodes after elements");

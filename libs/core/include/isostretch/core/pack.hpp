@@ -5,127 +5,21 @@
 // T: T = double is the single-element version, T = Pack the batch version, T = Jet2<Pack> the one that
 // differentiates.
 //
-// Everything here lives in an inline namespace named after the instruction set, so that copies compiled with
-// different flags are different functions for the linker. Kernel headers of other libraries open the same
-// namespace:
-//
-//   namespace isostretch::linalg {
-//   inline namespace ISOSTRETCH_ISA { template <class T> ... }
-//   }
+// Everything here lives in the inline namespace of the instruction set (isa_level.hpp), and kernel headers of
+// other libraries open the same namespace.
 //
 // Native intrinsics rather than xsimd 8.1, which is as fast: docs/benchmarks/simd.md says why.
 
+#include <isostretch/core/scalar.hpp>
+
 #include <cmath>
 #include <cstring>
-
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#define ISOSTRETCH_ISA v4
-#define ISOSTRETCH_KERNELS kernels_v4
-#define ISOSTRETCH_LANES 8
-#elif defined(__AVX2__) && defined(__FMA__)
-#define ISOSTRETCH_ISA v3
-#define ISOSTRETCH_KERNELS kernels_v3
-#define ISOSTRETCH_LANES 4
-#elif defined(__SSE4_2__)
-#define ISOSTRETCH_ISA v2
-#define ISOSTRETCH_KERNELS kernels_v2
-#define ISOSTRETCH_LANES 2
-#else
-#define ISOSTRETCH_ISA base
-#define ISOSTRETCH_KERNELS kernels_base
-#define ISOSTRETCH_LANES 1
-#endif
-
-#if ISOSTRETCH_LANES > 1
-#include <immintrin.h>
-#endif
-
-/// Makes a function part of every caller, whatever its size: a missed inline of a jet costs a hundredfold.
-#define ISOSTRETCH_INLINE inline __attribute__((always_inline))
-/// Makes everything that the function calls part of it, including what a user wrote without
-/// ISOSTRETCH_INLINE.
-#define ISOSTRETCH_FLATTEN __attribute__((flatten))
 
 namespace isostretch {
 inline namespace ISOSTRETCH_ISA {
 
 /// The number of doubles in a Pack.
 inline constexpr int lanes = ISOSTRETCH_LANES;
-
-// ---- double: a mask is a bool ----
-
-ISOSTRETCH_INLINE double select(bool mask, double a, double b) {
-  return mask ? a : b;
-}
-ISOSTRETCH_INLINE bool any(bool mask) {
-  return mask;
-}
-ISOSTRETCH_INLINE bool all(bool mask) {
-  return mask;
-}
-ISOSTRETCH_INLINE double sqrt(double a) {
-  return __builtin_sqrt(a);
-}
-ISOSTRETCH_INLINE double abs(double a) {
-  return __builtin_fabs(a);
-}
-ISOSTRETCH_INLINE double min(double a, double b) {
-  return a < b ? a : b;
-}
-ISOSTRETCH_INLINE double max(double a, double b) {
-  return a > b ? a : b;
-}
-ISOSTRETCH_INLINE double copysign(double magnitude, double sign) {
-  return __builtin_copysign(magnitude, sign);
-}
-ISOSTRETCH_INLINE double log(double a) {
-  return __builtin_log(a);
-}
-ISOSTRETCH_INLINE double log1p(double a) {
-  return __builtin_log1p(a);
-}
-ISOSTRETCH_INLINE double exp(double a) {
-  return __builtin_exp(a);
-}
-ISOSTRETCH_INLINE double expm1(double a) {
-  return __builtin_expm1(a);
-}
-ISOSTRETCH_INLINE double cbrt(double a) {
-  return __builtin_cbrt(a);
-}
-ISOSTRETCH_INLINE double pow(double a, double p) {
-  return __builtin_pow(a, p);
-}
-ISOSTRETCH_INLINE double load(const double* p, double) {
-  return *p;
-}
-ISOSTRETCH_INLINE void store(double* p, double a) {
-  *p = a;
-}
-
-#if defined(__FMA__) || defined(__FP_FAST_FMA)
-ISOSTRETCH_INLINE double fma(double a, double b, double c) {
-  return __builtin_fma(a, b, c);
-}
-#define ISOSTRETCH_HAS_FMA 1
-#else
-#define ISOSTRETCH_HAS_FMA 0
-/// Returns a * b + c, not fused, because the processor cannot: a library call per multiplication would cost
-/// fifty times as much. product_difference() gives the single rounding where it is needed.
-ISOSTRETCH_INLINE double fma(double a, double b, double c) {
-  return a * b + c;
-}
-#endif
-
-/// Returns the power of two in (a/2, a] for normal positive a, and a finite number for zero, subnormal and
-/// infinite a.
-ISOSTRETCH_INLINE double exponent_scale(double a) {
-  unsigned long long bits;
-  std::memcpy(&bits, &a, sizeof bits);
-  bits &= 0x7ff0000000000000ull;
-  std::memcpy(&a, &bits, sizeof a);
-  return a;
-}
 
 // ---- Pack ----
 
