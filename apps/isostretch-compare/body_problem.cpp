@@ -71,7 +71,7 @@ Problem body_problem(const scene::Node& value, const std::filesystem::path& fold
                   guessed_start(kind, script, body, handle_set),
                   {{"kind", deformation::plural_name(body.shape)},
                    {"mesh", body.name},
-                   {"guess", name_of(deformation::choice_names(InitialGuess{}), kind)}}};
+                   {"initial_guess", name_of(choice_names(kind), kind)}}};
   scale_to_unit_volume(body.volume(), problem.distortion.elements, problem.start);
   return problem;
 }

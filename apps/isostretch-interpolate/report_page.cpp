@@ -34,7 +34,7 @@ std::string fact_table(const Json& summary) {
       {}, {{"elements", number(mesh.at("elements"), "%.0f") + " " + mesh.at("element").get<std::string>()},
            {"energy", summary.at("energy_name")},
            {"parameters", parameters.empty() ? "none" : parameters},
-           {"start of every frame", summary.at("guess")},
+           {"start of every frame", summary.at("initial_guess")},
            {"iterations in all", number(summary.at("iterations"), "%.0f")},
            {"seconds in all", number(summary.at("seconds").at("total"), "%.2f")}});
 }

@@ -369,18 +369,20 @@ TEST_CASE("compare: input that is none is exit code 3, with the file's name") {
 }
 
 TEST_CASE("compare: a wrong scene is exit code 3, with the path of the key") {
-  check_scene([](Json& s) { s["seconds"] = 1; }, {"unknown key 'seconds'", "time_limit"});
+  check_scene([](Json& s) { s["seconds"] = 1; }, {"unknown key 'seconds'", "limits"});
   check_scene([](Json& s) { s.erase("problems"); }, {"'problems' is missing"});
   check_scene([](Json& s) { s["problems"] = Json::array(); }, {"problems: there must be one"});
   check_scene([](Json& s) { s["methods"] = {"magic"}; },
               {"methods: there is no method 'magic'", "isostretch"});
   check_scene([](Json& s) { s["repetitions"] = 0; }, {"repetitions: "});
-  check_scene([](Json& s) { s["time_limit"] = -1; }, {"time_limit: "});
-  check_scene([](Json& s) { s["memory_limit"] = 100; }, {"memory_limit: must be 0 (none) or at least 256"});
+  check_scene([](Json& s) { s["limits"]["time_limit"] = -1; }, {"time_limit: "});
+  check_scene([](Json& s) { s["limits"]["memory_limit"] = 100; },
+              {"memory_limit: must be 0 (none) or at least 256"});
   check_scene([](Json& s) { s["problems"][0].erase("name"); }, {"problems[0]", "'name' is missing"});
   check_scene([](Json& s) { s["problems"][0]["name"] = "a/b"; }, {"problems[0].name: ", "letters"});
   check_scene([](Json& s) { s["problems"][1]["name"] = "face"; }, {"problems[1].name: ", "taken"});
-  check_scene([](Json& s) { s["problems"][0]["guess"] = "rest"; }, {"problems[0]: unknown key 'guess'"});
+  check_scene([](Json& s) { s["problems"][0]["initial_guess"] = "rest"; },
+              {"problems[0]: unknown key 'initial_guess'"});
   check_scene(
       [](Json& s) {
         s["problems"][0]["mesh"] = {{"ball", {{"cells", 4}}}};
@@ -393,7 +395,8 @@ TEST_CASE("compare: a wrong scene is exit code 3, with the path of the key") {
         s["problems"][1]["handles"][0]["select"] = {{"nearest", 1}};
       },
       {"problems[1].handles[0].select"});
-  check_scene([](Json& s) { s["problems"][1]["guess"] = "good"; }, {"problems[1].guess: ", "biharmonic"});
+  check_scene([](Json& s) { s["problems"][1]["initial_guess"] = "good"; },
+              {"problems[1].initial_guess: ", "biharmonic"});
 }
 
 TEST_CASE("compare: where the energy is not finite at the start, problem and element are named") {

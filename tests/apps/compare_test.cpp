@@ -91,15 +91,15 @@ TEST_CASE("solver: more memory than is allowed is a status, and the rest is writ
 TEST_CASE("solver: what does not go with it, and names there are not") {
   const Scratch scratch;
   Json scene = swirl(90);
-  scene["solver"] = "mosek";
+  scene["rival"] = "mosek";
   Outcome run = manipulate({write_scene(scratch, scene), "-o", scratch.path("out")});
   CHECK(run.code == 3);
-  CHECK(run.err.find("solver: must be one of interior_point") != std::string::npos);
-  scene["solver"] = "penalty";
-  scene["relinearize"] = 3;
+  CHECK(run.err.find("rival: must be one of interior_point") != std::string::npos);
+  scene["rival"] = "penalty";
+  scene["manipulation"]["relinearize"] = 3;
   run = manipulate({write_scene(scratch, scene), "-o", scratch.path("out")});
   CHECK(run.code == 3);
-  CHECK(run.err.find("relinearize: does not go with a solver") != std::string::npos);
+  CHECK(run.err.find("relinearize: does not go with a rival") != std::string::npos);
   run = manipulate({write_scene(scratch, swirl(90)), "--rival", "mosek", "-o", scratch.path("out")});
   CHECK(run.code == 2);
   run =
@@ -113,7 +113,7 @@ TEST_CASE("solver: what does not go with it, and names there are not") {
 TEST_CASE("compare: a wrong scene is refused by its own name before anything is written") {
   const Scratch scratch;
   Json scene = swirl(90);
-  scene["alpha"] = "much";
+  scene["manipulation"]["alpha"] = "much";
   const Outcome run =
       manipulate({write_scene(scratch, scene), "--compare", "penalty", "-o", scratch.path("out")});
   CHECK(run.code == 3);

@@ -116,9 +116,13 @@ TEST_CASE("deform: a wrong scene is exit code 3, with the path of the key") {
   check_scene([](Json& s) { s["handles"][1]["keyframes"] = {{{"time", 1}}}; }, {"handles[1]: give either"});
   check_scene([](Json& s) { s["handles"] = Json::array(); }, {"handles: "});
   check_scene([](Json& s) { s["frames"] = 0; }, {"frames: "});
-  check_scene([](Json& s) { s["guess"] = "good"; }, {"guess: ", "harmonic"});
-  check_scene([](Json& s) { s["solver"] = {{"projection", "sharp"}}; }, {"solver.projection: ", "adaptive"});
-  check_scene([](Json& s) { s["solver"] = {{"backend", "abacus"}}; }, {"solver.backend: ", "abacus"});
+  check_scene([](Json& s) { s["initial_guess"] = "good"; }, {"initial_guess: ", "harmonic"});
+  check_scene([](Json& s) { s["newton"] = {{"projection", "sharp"}}; }, {"newton.projection: ", "adaptive"});
+  check_scene(
+      [](Json& s) {
+        s["newton"]["linear_solver"] = {{"backend", "abacus"}};
+      },
+      {"newton.linear_solver.backend: ", "abacus"});
   check_scene([](Json& s) { s["format"] = "gif"; }, {"format: ", "vtu"});
   check_scene(
       [](Json& s) {
@@ -188,7 +192,7 @@ TEST_CASE("deform: an energy that overflows is not called an inversion") {
   const Scratch scratch;
   Json scene = pulled_bar({1e160, 0, 0});
   scene["energy"] = "arap";
-  scene["guess"] = "previous";
+  scene["initial_guess"] = "previous";
   const Outcome run = deform({write_scene(scratch, scene), "-o", scratch.path("out"), "--no-picture"});
   CAPTURE(run.err);
   CHECK(run.code == 6);

@@ -235,7 +235,7 @@ TEST_CASE("deform: a translation of all handles moves everything alike, from eve
   const Scratch scratch;
   for (const char* guess : {"rest", "previous", "harmonic", "biharmonic"}) {
     Json scene = twisted_bar(0, 2);
-    scene["guess"] = guess;
+    scene["initial_guess"] = guess;
     scene["mesh"]["bar"]["cells"] = {4, 1, 1};
     for (Json& handle : scene["handles"]) {
       handle.erase("rotate");
@@ -251,7 +251,7 @@ TEST_CASE("deform: a translation of all handles moves everything alike, from eve
 TEST_CASE("deform: where the guess inverts an element under a barrier, the handles go in parts") {
   const Scratch scratch;
   Json scene = twisted_bar(0, 1);
-  scene["guess"] = "previous";  // only the handle moves, by two elements' lengths into the bar
+  scene["initial_guess"] = "previous";  // only the handle moves, by two elements' lengths into the bar
   scene["handles"][1].erase("rotate");
   scene["handles"][1]["translate"] = {-1.0, 0, 0};
   const auto summary = solved(scratch, scene);
@@ -261,7 +261,7 @@ TEST_CASE("deform: where the guess inverts an element under a barrier, the handl
   for (Eigen::Index v = 0; v < rest.rows(); ++v)
     if (rest(v, 0) == 4) CHECK(last(v, 0) == 3);
   const double from_harmonic = [&] {
-    scene["guess"] = "harmonic";
+    scene["initial_guess"] = "harmonic";
     return solved(scratch, scene)["frames"][1]["energy"].get<double>();
   }();
   CHECK(summary["frames"][1]["energy"].get<double>() == Approx(from_harmonic).epsilon(1e-5));
@@ -275,7 +275,7 @@ TEST_CASE("deform: frame 1 takes handles from rest to a first keyframe elsewhere
   scene["handles"][1]["keyframes"] = {{{"time", 0}, {"translate", {-2, 0, 0}}},
                                       {{"time", 1}, {"translate", {-2.1, 0, 0}}}};
   for (const char* guess : {"biharmonic", "previous"}) {
-    scene["guess"] = guess;
+    scene["initial_guess"] = guess;
     const auto summary = solved(scratch, scene);
     CHECK(summary["frames"][1]["time"] == 0.5);
     CHECK(summary["frames"][2]["min_det_F"].get<double>() > 0);

@@ -34,7 +34,7 @@ void check_scene(const std::function<void(Json&)>& change, const std::vector<std
 }  // namespace
 
 TEST_CASE("manipulate: a wrong scene is exit code 3, with the path of the key") {
-  check_scene([](Json& s) { s["energy"] = "arap"; }, {"unknown key 'energy'", "alpha"});
+  check_scene([](Json& s) { s["colour"] = "red"; }, {"unknown key 'colour'", "manipulation"});
   check_scene([](Json& s) { s.erase("mesh"); }, {"'mesh' is missing"});
   check_scene([](Json& s) { s["mesh"] = {{"cube", 1}}; }, {"mesh: unknown key 'cube'", "quadruped"});
   check_scene([](Json& s) { s["mesh"]["bar"] = 1; }, {"mesh: must have one of the keys"});
@@ -52,7 +52,8 @@ TEST_CASE("manipulate: a wrong scene is exit code 3, with the path of the key") 
         s["mesh"] = {{"photo_grid", {{"cells", 3}}}};
       },
       {"mesh.photo_grid: ", "'photo'"});
-  check_scene([](Json& s) { s["handles"][1]["soft"] = 3; }, {"handles[1]: unknown key 'soft'", "hard"});
+  check_scene([](Json& s) { s["handles"][1]["soft"] = 3; },
+              {"handles[1].soft: handles are soft here", "alpha"});
   check_scene([](Json& s) { s["handles"][1]["hard"] = 3; }, {"handles[1].hard: must be true or false"});
   check_scene([](Json& s) { s["handles"][1]["select"] = s["handles"][0]["select"]; },
               {"vertex 0 is in handles[0] (boundary) and in handles[1] (middle)"});
@@ -62,16 +63,17 @@ TEST_CASE("manipulate: a wrong scene is exit code 3, with the path of the key") 
         s["handles"][1].erase("rotate");
       },
       {"handles[1]: all its vertices are in handles before"});
-  check_scene([](Json& s) { s["alpha"] = 0; }, {"alpha: "});
-  check_scene([](Json& s) { s["weights"] = "heavy"; }, {"weights: ", "volume"});
-  check_scene([](Json& s) { s["units"] = "inch"; }, {"units: ", "diagonal"});
-  check_scene([](Json& s) { s["incompressibility"] = -1; }, {"incompressibility: "});
-  check_scene([](Json& s) { s["margin"] = 1; }, {"margin: "});
-  check_scene([](Json& s) { s["rotations"] = "round"; }, {"rotations: ", "biharmonic"});
-  check_scene([](Json& s) { s["blend"] = "mix"; }, {"blend: ", "aligned_quaternion"});
-  check_scene([](Json& s) { s["method"] = "guess"; }, {"method: ", "interior_point"});
-  check_scene([](Json& s) { s["gap"] = 2; }, {"gap: "});
-  check_scene([](Json& s) { s["max_iterations"] = 0; }, {"max_iterations: "});
+  check_scene([](Json& s) { s["manipulation"]["alpha"] = 0; }, {"alpha: "});
+  check_scene([](Json& s) { s["manipulation"]["element_weights"] = "heavy"; },
+              {"element_weights: ", "volume"});
+  check_scene([](Json& s) { s["manipulation"]["length_unit"] = "inch"; }, {"length_unit: ", "diagonal"});
+  check_scene([](Json& s) { s["manipulation"]["incompressibility"] = -1; }, {"incompressibility: "});
+  check_scene([](Json& s) { s["manipulation"]["margin"] = 1; }, {"margin: "});
+  check_scene([](Json& s) { s["manipulation"]["rotations"] = "round"; }, {"rotations: ", "biharmonic"});
+  check_scene([](Json& s) { s["manipulation"]["blend"] = "mix"; }, {"blend: ", "aligned_quaternion"});
+  check_scene([](Json& s) { s["manipulation"]["method"] = "guess"; }, {"method: ", "interior_point"});
+  check_scene([](Json& s) { s["manipulation"]["gap_tolerance"] = 2; }, {"gap_tolerance: "});
+  check_scene([](Json& s) { s["manipulation"]["max_iterations"] = -1; }, {"max_iterations: "});
   check_scene([](Json& s) { s["format"] = "gif"; }, {"format: ", "vtu"});
   check_scene([](Json& s) { s["up"] = "w"; }, {"up: "});
   check_scene([](Json& s) { s["photo"] = {{"file", "a.png"}, {"fit", "wide"}}; }, {"photo.fit: ", "pixels"});
@@ -81,7 +83,7 @@ TEST_CASE("manipulate: handles with different axes cannot be blended by angle") 
   const Scratch scratch;
   Json scene = squashed_bar();
   scene["handles"][0]["rotate"] = {{"axis", {0, 1, 0}}, {"degrees", 30}};
-  scene["blend"] = "angle";
+  scene["manipulation"]["blend"] = "angle";
   check_failure(scratch, {write_scene(scratch, scene), "-o", scratch.path("out")}, 3, {"scene.json: ", "ax"});
 }
 
@@ -95,7 +97,7 @@ TEST_CASE("manipulate: a frame whose rotations cancel in an element fails alone"
   const Json scene{
       {"mesh", {{"grid", {{"cells", {3, 1}}, {"size", {3, 1}}}}}},
       {"handles", {{{"select", end("min")}}, {{"select", end("max")}, {"rotate", {{"degrees", 360}}}}}},
-      {"blend", "quaternion"},
+      {"manipulation", {{"blend", "quaternion"}}},
       {"frames", 2}};
   const Outcome run = manipulate({write_scene(scratch, scene), "-o", scratch.path("out"), "--no-picture"});
   CHECK(run.code == 6);

@@ -225,7 +225,7 @@ TEST_CASE("manipulate: a photo moved by whole pixels is the photo, with transpar
   const std::string file = scratch.write("photo.png", photo.png());
   const Json scene{{"mesh", {{"grid", {{"cells", {4, 4}}, {"size", {40, 40}}}}}},
                    {"photo", {{"file", file}, {"fit", "pixels"}}},
-                   {"rotations", "none"},
+                   {"manipulation", {{"rotations", "none"}}},
                    {"handles", {{{"select", "all"}, {"translate", {5, 10}}}}}};
   solved(scratch, scene);
   const Photo drawn = figures::read_photo(scratch.path("out/photo_0001.png"));
@@ -243,8 +243,8 @@ TEST_CASE("manipulate: stretch is bounded where asked, and rounds of re-linearis
   Json scene = swirl(150);
   const auto free = solved(scratch, scene);
   const double most = free["frames"][1]["max_length_change"];
-  scene["margin"] = 0.2;
-  scene["largest_stretch"] = 1 + 0.8 * (most - 1);
+  scene["manipulation"]["margin"] = 0.2;
+  scene["manipulation"]["largest_stretch"] = 1 + 0.8 * (most - 1);
   const auto bounded = solved(scratch, scene, {}, "bounded");
   CHECK(bounded["frames"][1]["energy"] > free["frames"][1]["energy"]);
   CHECK(bounded["frames"][1]["max_length_change"] <= 1 / 0.2 + 1e-9);
@@ -257,7 +257,7 @@ TEST_CASE("manipulate: stretch is bounded where asked, and rounds of re-linearis
   CHECK(rounds.back()["energy"] < free["frames"][1]["energy"]);
   CHECK(relinearized["frames"][1]["inverted"] == 0);
   // Too few rounds are no success.
-  scene["relinearize"] = 1;
+  scene["manipulation"]["relinearize"] = 1;
   const Outcome run = manipulate({write_scene(scratch, scene), "-o", scratch.path("few"), "--no-picture"});
   CHECK(run.code == 5);
   CHECK(run.err.find("settled") != std::string::npos);
@@ -275,8 +275,8 @@ TEST_CASE(
   // Hard handles that cannot be had, with bounded stretch: the penalty solution is written.
   Json scene = squashed_bar();
   for (auto& handle : scene["handles"]) handle["hard"] = true;
-  scene["largest_stretch"] = 1.5;
-  scene["relinearize"] = 2;
+  scene["manipulation"]["largest_stretch"] = 1.5;
+  scene["manipulation"]["relinearize"] = 2;
   const Outcome run = manipulate({write_scene(scratch, scene), "-o", scratch.path("hard"), "--no-picture"});
   CHECK(run.code == 6);
   CHECK(std::filesystem::exists(scratch.path("hard/frame_0001.vtu")));

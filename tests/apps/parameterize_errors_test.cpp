@@ -85,7 +85,7 @@ TEST_CASE("wrong command lines are exit code 2") {
       {{"--param", "weight=1,weight=2"}, "twice"},
       {{"--gradient-tolerance", "small"}, "small"},
       {{"--gradient-tolerance", "nan"}, "nan"},
-      {{"--gradient-tolerance", "0"}, "0"},
+      {{"--gradient-tolerance", "-1"}, "-1"},
       {{"--max-iterations", "-1"}, "-1"},
       {{"--max-iterations", "2.5"}, "2.5"},
       {{"--time-limit", "1e999"}, "1e999"},
