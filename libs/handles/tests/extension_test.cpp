@@ -39,9 +39,9 @@ Body triangles() {
   return body(mesh::elements(flat, m.triangles), flat);
 }
 
-using Field = std::function<Point(const Point&)>;
+using VectorField = std::function<Point(const Point&)>;
 
-Vector sampled(const Nodes& nodes, const Field& field) {
+Vector sampled(const Nodes& nodes, const VectorField& field) {
   Vector u(nodes.positions.size());
   for (int n = 0; n < nodes.count(); ++n)
     u.segment(nodes.dim * n, nodes.dim) = field(nodes.at(n)).head(nodes.dim);
@@ -75,7 +75,7 @@ TEST_CASE("handles that are all translated alike take everything along") {
 
 TEST_CASE("a boundary that is mapped affinely makes the harmonic extension affine inside") {
   // Affine maps are harmonic; K M^-1 K asks besides that K u vanish at the boundary, which it does not.
-  const Field affine = [](const Point& p) {
+  const VectorField affine = [](const Point& p) {
     return Point(0.3 * p.x() - p.y(), 0.2 * p.z() + 1, p.x() + 0.1 * p.y());
   };
   for (const Body& b : {tets(), hexes(), quadratic_tets(), triangles()}) {
