@@ -23,13 +23,14 @@ using doctest::Approx;
 using isostretch::test::Scratch;
 
 TEST_CASE("numbers are taken whole or not at all") {
-  CHECK(finite_number("-1.5e3") == -1500);
-  CHECK(finite_number("+2") == 2);
+  CHECK(isostretch::finite_number("-1.5e3") == -1500);
+  CHECK(isostretch::finite_number("+2") == 2);
   for (const char* text : {"", "1x", " 1", "nan", "inf", "1e400", "+-1", "0x10", "1,5"})
-    CHECK_MESSAGE(!finite_number(text), text);
-  CHECK(whole_number("12") == 12);
-  for (const char* text : {"", "1.0", "99999999999", "1e3"}) CHECK_MESSAGE(!whole_number(text), text);
-  CHECK(split("a,,b", ',') == std::vector<std::string>{"a", "", "b"});
+    CHECK_MESSAGE(!isostretch::finite_number(text), text);
+  CHECK(isostretch::whole_number("12") == 12);
+  for (const char* text : {"", "1.0", "99999999999", "1e3"})
+    CHECK_MESSAGE(!isostretch::whole_number(text), text);
+  CHECK(isostretch::split("a,,b", ',') == std::vector<std::string>{"a", "", "b"});
   CHECK(std::stod(isostretch::to_text(0.1 + 0.2)) == 0.1 + 0.2);
 }
 

@@ -151,10 +151,10 @@ TEST_CASE("compare: every solver in a process of its own, one optimum, a table, 
     CHECK(entry["least_seconds"].get<double>() <= entry["seconds"].get<double>());
     CHECK(entry["seconds"].get<double>() <= entry["most_seconds"].get<double>());
   }
-  const auto other = candidate(comparison, "foldover_free");
-  CHECK(other["kind"] == "alternative");
-  CHECK(other["relative_error"].is_null());
-  CHECK(other["inverted"] == 0);
+  const auto foldover_free = candidate(comparison, "foldover_free");
+  CHECK(foldover_free["kind"] == "alternative");
+  CHECK(foldover_free["relative_error"].is_null());
+  CHECK(foldover_free["inverted"] == 0);
   // What is there is not made again, and what depends on something else is.
   const auto written = [&] {
     return std::filesystem::last_write_time(scratch.path("out/runs/penalty/summary.json"));

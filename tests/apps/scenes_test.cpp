@@ -17,11 +17,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Outcome parameterize(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), program("parameterize"));
-  return run(arguments);
-}
-
 bool says(const Outcome& outcome, const std::string& text) {
   return outcome.err.find(text) != std::string::npos;
 }
@@ -92,7 +87,7 @@ TEST_CASE("scenes: a surface is flattened by a scene as by flags") {
   const Scratch scratch;
   const std::string model = scratch.path("model.obj");
   mesh::write_obj(model, mesh::procedural_face(8));
-  const std::string scene = written(
+  const std::string scene = write_scene(
       scratch, {{"schema", 1},
                 {"mesh", "model.obj"},
                 {"energy", "arap"},
