@@ -12,7 +12,7 @@
 namespace isostretch::app {
 
 void EnergyFlags::declare(CLI::App& cli, const std::string& help, const std::string& fallback,
-                          std::string list) {
+                          std::function<std::string()> list) {
   fallback_ = fallback;
   list_ = std::move(list);
   cli.add_option("-e,--energy", name_, help + "; --list-energies shows all")
@@ -25,14 +25,14 @@ void EnergyFlags::declare(CLI::App& cli, const std::string& help, const std::str
   cli.add_flag_callback(
          "--list-energies",
          [this] {
-           std::cout << list_ << std::flush;
+           std::cout << list_() << std::flush;
            throw CLI::Success{};
          },
          "List the energies and their parameters, and exit")
       ->trigger_on_parse();
 }
 
-void EnergyFlags::add_to(scene::Value& scene) const {
+void EnergyFlags::add_to(scene::Value& scene, const std::filesystem::path& input) const {
   const auto parameters =
       with_error_kind(ErrorKind::misuse, [this] { return scene::parse_parameters(parameters_); });
   if (name_) scene["energy"] = *name_;
@@ -41,7 +41,7 @@ void EnergyFlags::add_to(scene::Value& scene) const {
   scene::Value& energy = scene["energy"];
   if (energy.is_text()) energy = scene::Value::object("name", energy);
   if (!energy.is_object() || (energy.has("parameters") && !energy["parameters"].is_object()))
-    throw Error(ErrorKind::misuse, "--param: the energy of the scene is nothing that takes parameters");
+    throw Error(ErrorKind::input, input.string() + ": energy: is nothing that --param could add to");
   for (const auto& [name, value] : parameters) energy["parameters"][name] = value;
 }
 

@@ -2,6 +2,8 @@
 
 #include <isostretch/scene/value.hpp>
 
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,12 +18,14 @@ namespace isostretch::app {
 class EnergyFlags {
  public:
   /// Declares them; `help` says what the energy is for, `fallback` is the energy taken where none is given,
-  /// and `list` what --list-energies prints.
-  void declare(CLI::App& cli, const std::string& help, const std::string& fallback, std::string list);
+  /// and `list` what --list-energies prints, asked
+  /// for then, since plug-ins add to it.
+  void declare(CLI::App& cli, const std::string& help, const std::string& fallback,
+               std::function<std::string()> list);
 
   /// Puts what was given into "energy" of a scene, and the energy taken otherwise where it has none. Throws
-  /// Error naming the option for parameters that are none, and where "energy" of the scene can take none.
-  void add_to(scene::Value& scene) const;
+  /// Error naming the option for parameters that are none, and the input where its energy can take none.
+  void add_to(scene::Value& scene, const std::filesystem::path& input) const;
 
   /// Returns the name that was given, or the one taken otherwise.
   const std::string& name() const { return name_ ? *name_ : fallback_; }
@@ -31,7 +35,7 @@ class EnergyFlags {
  private:
   std::optional<std::string> name_;
   std::string fallback_;
-  std::string list_;
+  std::function<std::string()> list_;
   std::vector<std::string> parameters_;
 };
 

@@ -32,7 +32,7 @@ struct AppDescription {
   std::string name;
   std::string purpose;
   std::vector<std::string> examples;                           // of command lines, for --help
-  std::vector<RenamedFlag> renamed = {};                            // flags of earlier versions
+  std::vector<RenamedFlag> renamed = {};                       // flags of earlier versions
   std::function<void(CLI::App&)> declare;                      // adds the app's own options
   std::function<ExitCode(const CommonOptions& options)> body;  // the work, when they are read
 };

@@ -65,9 +65,9 @@ void CommandLine::declare_problems(CLI::App& cli) {
   auto* meshes =
       cli.add_option("mesh", meshes_, "Surfaces to flatten, disks: OBJ, OFF, PLY, STL, MSH, MESH, VTK or VTU")
           ->type_name("MESH");
-  energy_flags_.declare(
-      cli, "Energies of the meshes, several with commas", "symmetric_dirichlet",
-      "In the plane:\n" + scene::energy_table(2) + "\nIn space (scenes):\n" + scene::energy_table(3));
+  energy_flags_.declare(cli, "Energies of the meshes, several with commas", "symmetric_dirichlet", [] {
+    return "In the plane:\n" + scene::energy_table(2) + "\nIn space (scenes):\n" + scene::energy_table(3);
+  });
   auto* scene = cli.add_option("--scene", scene_file_,
                                "Instead of meshes: problems and settings (JSON), or the name of a scene that "
                                "comes with the program");

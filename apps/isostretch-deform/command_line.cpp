@@ -55,9 +55,10 @@ void CommandLine::declare_files(CLI::App& cli) {
 
 void CommandLine::declare_scene(CLI::App& cli) {
   cli.option_defaults()->group("Scene");
-  energy_flags_.declare(cli, "Distortion energy that is minimised: how the body resists", "arap",
-                        energy_list() + "\nWith --young and --poisson:\n" +
-                            listed(deformation::energies_with_material()) + "\n");
+  energy_flags_.declare(cli, "Distortion energy that is minimised: how the body resists", "arap", [] {
+    return energy_list() + "\nWith --young and --poisson:\n" + listed(deformation::energies_with_material()) +
+           "\n";
+  });
   cli.add_option("--young", young_,
                  "Young's modulus: how stiff the material is. With --poisson it sets the parameters of an "
                  "energy that is a material")
@@ -96,7 +97,7 @@ Options CommandLine::options() const {
 void CommandLine::add_handles(scene::Value& scene) const {
   with_error_kind(ErrorKind::misuse, [&] {
     if (!handles_.empty() && scene.has("handles") && !scene["handles"].is_list())
-      throw Error("--handle: the handles of the scene are no list that one could be added to");
+      throw Error(ErrorKind::input, input_.string() + ": handles: are no list that --handle could add to");
     for (const std::string& text : handles_) scene["handles"].push_back(scene::handle_from_text(text));
     if (has_scene_file() || look_.check) return;  // what it lacks is said when its turn comes
     if (!scene.has("handles")) throw Error("--handle: there must be one at least");
@@ -106,7 +107,7 @@ void CommandLine::add_handles(scene::Value& scene) const {
 scene::Value CommandLine::scene() const {
   scene::Value scene = read_scene_input(input_, used_keys);
   if (!has_scene_file()) scene["mesh"] = input_.string();
-  energy_flags_.add_to(scene);
+  energy_flags_.add_to(scene, input_);
   if (young_.has_value() != poisson_.has_value())
     throw Error(ErrorKind::misuse, "--young and --poisson go together");
   if (young_) scene["material"] = scene::Value::object({{"young", *young_}, {"poisson", *poisson_}});

@@ -20,7 +20,7 @@ const std::vector<std::string> used_keys{"schema", "mesh",   "second_mesh",   "e
 void CommandLine::declare(CLI::App& cli) {
   declare_files(cli);
   cli.option_defaults()->group("Energy and start");
-  energy_flags_.declare(cli, "Distortion energy that the frames minimise", "symmetric_arap", energy_list());
+  energy_flags_.declare(cli, "Distortion energy that the frames minimise", "symmetric_arap", energy_list);
   deformation::InterpolationOptions options;
   option_flags_.declare(cli, scene::interpolation_fields(options), "interpolation");
   cli.option_defaults()->group("Solver");
@@ -54,7 +54,7 @@ scene::Value CommandLine::scene() const {
   if (!is_scene_file(first_)) scene["mesh"] = first_.string();
   if (!second_.empty())
     scene["second_mesh"] = is_scene_file(first_) ? std::filesystem::absolute(second_).string() : second_;
-  energy_flags_.add_to(scene);
+  energy_flags_.add_to(scene, first_);
   option_flags_.add_to(scene);
   return scene;
 }

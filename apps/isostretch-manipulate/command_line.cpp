@@ -179,7 +179,7 @@ void CommandLine::add_mesh(scene::Value& scene) const {
 void CommandLine::add_handles(scene::Value& scene) const {
   with_error_kind(ErrorKind::misuse, [&] {
     if (!handles_.empty() && scene.has("handles") && !scene["handles"].is_list())
-      throw Error("--handle: the handles of the scene are no list that one could be added to");
+      throw Error(ErrorKind::input, input_.string() + ": handles: are no list that --handle could add to");
     for (const std::string& text : handles_) scene["handles"].push_back(scene::handle_from_text(text));
     if (has_scene_file() || look_.check) return;  // what it lacks is said when its turn comes
     if (!scene.has("handles")) throw Error("--handle: there must be one at least");

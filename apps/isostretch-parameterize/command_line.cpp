@@ -28,7 +28,8 @@ void CommandLine::declare(CLI::App& cli) {
                  "Four vertices of the boundary for the corners of --boundary square, in order")
       ->type_name("A,B,C,D");
   cli.option_defaults()->group("Energy");
-  energy_flags_.declare(cli, "Distortion energy", "symmetric_dirichlet", scene::energy_table(2));
+  energy_flags_.declare(cli, "Distortion energy", "symmetric_dirichlet",
+                        [] { return scene::energy_table(2); });
   declare_pins(cli);
   cli.option_defaults()->group("Solver");
   option_flags_.declare(cli, option_fields(options.newton), "newton");
@@ -79,7 +80,7 @@ void CommandLine::declare_pins(CLI::App& cli) {
 scene::Value CommandLine::scene() const {
   scene::Value scene = read_scene_input(input_, used_keys);
   if (!is_scene_file(input_)) scene["mesh"] = input_.string();
-  energy_flags_.add_to(scene);
+  energy_flags_.add_to(scene, input_);
   with_error_kind(ErrorKind::misuse, [&] { add_pins(pins_, scene); });
   option_flags_.add_to(scene);
   return scene;

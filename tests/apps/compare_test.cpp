@@ -117,7 +117,7 @@ TEST_CASE("compare: a wrong scene is refused by its own name before anything is 
   const Outcome run =
       manipulate({write_scene(scratch, scene), "--compare", "penalty", "-o", scratch.path("out")});
   CHECK(run.code == 3);
-  CHECK(run.err.find("scene.json: alpha: ") != std::string::npos);
+  CHECK(run.err.find("scene.json: manipulation.alpha: ") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(scratch.path("out")));
 }
 

@@ -128,7 +128,7 @@ TEST_CASE("deform: a run that stops and goes on writes the same bytes as one tha
     CHECK(other.err.find("'handles' has changed") != std::string::npos);
     write_scene(scratch, scene);
     const Outcome solver = deform({file, "-o", out, "--restart", "--projection", "clamp"});
-    CHECK(solver.err.find("'solver' has changed") != std::string::npos);
+    CHECK(solver.err.find("'newton' has changed") != std::string::npos);
   }
   SUBCASE("a state that is damaged is refused") {
     scratch.write("parts/restart.json", "{\"scene\": {}, ");

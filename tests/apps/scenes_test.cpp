@@ -141,9 +141,9 @@ TEST_CASE("flags of the version before work with a notice") {
   CHECK(says(run, "option --absolute is --length-unit=mesh now"));
   CHECK(says(run, "option --weights is --element-weights now"));
   CHECK(says(run, "option --method skinning is --method=unconstrained now"));
-  const Json scene = Json::parse(read_file(scratch.path("out/summary.json")))["scene"]["manipulation"];
-  CHECK(scene == Json{{"gap_tolerance", 1e-4},
-                      {"element_weights", "unit"},
-                      {"length_unit", "mesh"},
-                      {"method", "unconstrained"}});
+  const auto scene = read_json(scratch.path("out/summary.json"))["scene"]["manipulation"];
+  CHECK(scene == nlohmann::json{{"gap_tolerance", 1e-4},
+                                {"element_weights", "unit"},
+                                {"length_unit", "mesh"},
+                                {"method", "unconstrained"}});
 }
