@@ -96,8 +96,10 @@ TEST_CASE("VTU with fields: what does not fit is refused by its name") {
 }
 
 TEST_CASE("a format that is registered is known by its extension, and one that is none is refused") {
-  const SurfaceMesh square{
-      (Points3(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished(), (Triangles(1, 3) << 0, 1, 2).finished(), {}, {}};
+  const SurfaceMesh square{(Points3(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished(),
+                           (Triangles(1, 3) << 0, 1, 2).finished(),
+                           {},
+                           {}};
   register_format({.extension = ".made_up",
                    .read_surface = [&](const std::string&, const ReadOptions&) { return square; }});
   CHECK(read_surface("any.MADE_UP").triangles == square.triangles);
