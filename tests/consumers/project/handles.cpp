@@ -57,7 +57,7 @@ int main() {
   for (int n = 0; n < weights.node_count(); ++n)
     EXPECT(std::abs(weights.at(n, 0) + weights.at(n, 1) - 1) < 1e-12);
   const std::vector<double> rotations =
-      handles::blended_rotations(strip(), weights, {{}, turn.turn(1)}, handles::default_blend(2));
+      handles::blended_rotations(strip(), weights, {{}, turn.axis_angle(1)}, handles::default_blend(2));
   EXPECT(rotations.size() == 4 * 2 * squares);
   EXPECT(rotations.front() > 0.9 && rotations.back() < 0.5);
 }
