@@ -4,9 +4,9 @@
 #include "common/exit_code.hpp"
 #include "common/scene_input.hpp"
 #include "common/validators.hpp"
-#include "scene_reader.hpp"
 
 #include <isostretch/baselines/distortion.hpp>
+#include <isostretch/comparison/method_scene.hpp>
 #include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/text.hpp>
@@ -40,7 +40,7 @@ using Parameters = std::map<std::string, double>;
 
 std::string without_odd_characters(std::string name) {
   for (char& c : name)
-    if (!may_be_in_name(c)) c = '_';
+    if (!comparison::may_be_in_name(c)) c = '_';
   return name;
 }
 
@@ -93,7 +93,7 @@ void CommandLine::declare_methods(CLI::App& cli) {
          },
          "List the methods, and exit")
       ->trigger_on_parse();
-  Limits limits;
+  scene::ComparisonLimits limits;
   option_flags_.declare(cli, option_fields(limits), "limits");
   option_flags_.declare_key(cli, "repetitions");
   option_flags_.declare_set(cli);
@@ -123,7 +123,8 @@ void CommandLine::add_problems(scene::Value& scene) const {
     if (figures::valid_utf8(mesh) != mesh)
       throw Error("a mesh's path must be UTF-8 here: " + figures::valid_utf8(mesh));
     for (const std::string& energy : scene::split_energies(energy_flags_.name())) {
-      const auto own = naming_option("--energy", [&] { return scene::parameters_of(energy, parameters); });
+      const auto own =
+          with_error_prefix("--energy", [&] { return scene::parameters_of(energy, parameters); });
       for (const auto& [name, value] : own) unused.erase(name);
       scene::Value values = scene::Value::object();
       for (const auto& [name, value] : own) values[name] = value;
@@ -157,11 +158,10 @@ scene::Value CommandLine::scene() const {
 Options CommandLine::options(const scene::Value& scene) const {
   if (methods_)
     with_error_kind(ErrorKind::misuse, [&] {
-      return naming_option("--method", [&] { return choose_methods(split(*methods_, ',')); });
+      return with_error_prefix("--method", [&] { return comparison::choose_methods(split(*methods_, ',')); });
     });
-  Options options = reading_scene(scene_file_, [&] { return read_options(scene); });
-  options.out = out_;
-  options.picture = !no_picture_;
+  Options options{reading_scene(scene_file_, [&] { return comparison::read_comparison_settings(scene); }),
+                  out_, !no_picture_};
   return options;
 }
 

@@ -5,10 +5,10 @@
 #include "common/newton_report.hpp"
 #include "common/scene_input.hpp"
 #include "common/terminal.hpp"
-#include "problem.hpp"
-#include "scene_reader.hpp"
 
 #include <isostretch/baselines/distortion.hpp>
+#include <isostretch/comparison/method_scene.hpp>
+#include <isostretch/comparison/problem.hpp>
 #include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/text.hpp>
 
@@ -21,12 +21,14 @@ namespace isostretch::app::compare {
 namespace {
 
 namespace fs = std::filesystem;
+using comparison::Problem;
+using comparison::problem_name;
 
 Problem problem_named(const std::string& name, const scene::Value& scene, const fs::path& scene_file) {
   return reading_scene(scene_file, [&] {
     std::vector<std::string> names;
-    for (const Node& value : read_problem_list(scene)) {
-      if (problem_name(value) == name) return read_problem(value, scene_folder(scene_file));
+    for (const scene::Node& value : comparison::read_problem_list(scene)) {
+      if (problem_name(value) == name) return comparison::read_problem(value, scene_folder(scene_file), warn);
       names.push_back(problem_name(value));
     }
     throw Error(ErrorKind::misuse, "--run: there is no problem '" + name + "'; there are " + listed(names));
@@ -67,7 +69,7 @@ Json summary_json(const SingleRun& run, const Problem& problem, const newton::Su
   json.update({{"failed", newton::failed(summary.status)},
                {"seconds", phases_json(summary.seconds)},
                {"flips", problem.flips(x)},
-               {"facts", problem.facts},
+               {"facts", Json::parse(problem.facts.to_json())},
                {"machine", machine_json()}});
   return json;
 }

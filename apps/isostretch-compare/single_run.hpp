@@ -1,8 +1,9 @@
 #pragma once
 
+#include <isostretch/scene/comparison_limits.hpp>
+#include <isostretch/scene/value.hpp>
 #include "common/exit_code.hpp"
 #include "common/output_folder.hpp"
-#include "options.hpp"
 
 #include <isostretch/scene/value.hpp>
 
@@ -14,7 +15,7 @@ namespace isostretch::app::compare {
 // One method on one problem of a scene, in this process.
 struct SingleRun {
   std::string problem, method;
-  Limits limits;
+  scene::ComparisonLimits limits;
   std::filesystem::path from;  // positions to start from; empty: the problem's own start
   std::filesystem::path out;
 };

@@ -2,13 +2,12 @@
 
 #include "common/exit_code.hpp"
 #include "common/validators.hpp"
-#include "scene.hpp"
-#include "scene_reader.hpp"
 
 #include <isostretch/baselines/solver.hpp>
 #include <isostretch/core/numbers.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/scene/handle_text.hpp>
+#include <isostretch/scene/manipulation_scene.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -20,12 +19,6 @@ const std::vector<std::string> used_keys{"schema",       "mesh",   "order", "qua
                                          "handles",      "frames", "photo", "format",
                                          "manipulation", "rival",  "up"};
 
-std::vector<std::string> rival_names() {
-  std::vector<std::string> names;
-  for (const baselines::SolverInfo& info : baselines::solvers()) names.emplace_back(info.name);
-  return names;
-}
-
 constexpr int most_frames = 1'000'000;
 
 int frame_number(const std::string& text, const std::string& word) {
@@ -36,6 +29,12 @@ int frame_number(const std::string& text, const std::string& word) {
 }
 
 }  // namespace
+
+std::vector<std::string> rival_names() {
+  std::vector<std::string> names;
+  for (const baselines::SolverInfo& info : baselines::solvers()) names.emplace_back(info.name);
+  return names;
+}
 
 void CommandLine::declare(CLI::App& cli) {
   declare_files(cli);
@@ -127,8 +126,8 @@ void CommandLine::declare_photo(CLI::App& cli) {
       ->type_name("N");
   cli.add_option("--photo-fit", photo_fit_,
                  "How the picture lies on the mesh: filling its box, or one unit a pixel: " +
-                     listed(all_names(choice_names(PhotoFit{}))))
-      ->check(one_of(all_names(choice_names(PhotoFit{}))))
+                     listed(all_names(choice_names(scene::PhotoFit{}))))
+      ->check(one_of(all_names(choice_names(scene::PhotoFit{}))))
       ->type_name("NAME")
       ->default_str("box");
 }
@@ -186,33 +185,13 @@ void CommandLine::add_handles(scene::Value& scene) const {
   });
 }
 
-void CommandLine::add_photo(scene::Value& scene) const {
-  if (photo_)
-    scene["photo"] = scene::Value::object("file", path_from_here(*photo_));
-  else if (photo_fit_ && scene.has("photo") && scene["photo"].is_text())
-    scene["photo"] = scene::Value::object("file", scene["photo"]);
-  if (!photo_fit_) return;
-  if (!scene.has("photo") || !scene["photo"].is_object())
-    throw Error(ErrorKind::misuse, "--photo-fit says how a picture lies, and there is none");
-  scene["photo"]["fit"] = *photo_fit_;
-}
-
-// In the place of what the scene chose.
-void CommandLine::add_rival(scene::Value& scene) const {
-  if (!rival_) return;
-  scene["rival"] = *rival_;
-  scene::Value* group = scene.find("manipulation");
-  if (group == nullptr || !group->is_object()) return;
-  group->take("method");
-  group->take("penalty");
-}
-
 scene::Value CommandLine::scene() const {
   scene::Value scene = read_scene_input(input_, used_keys, embedded_scenes());
   add_mesh(scene);
   add_handles(scene);
-  add_photo(scene);
-  add_rival(scene);
+  const auto photo = photo_ ? std::optional(path_from_here(*photo_)) : std::nullopt;
+  scene::set_photo(scene, photo, photo_fit_);
+  if (rival_) scene::set_rival(scene, *rival_);
   if (frames_ && frames_->find(':') == std::string::npos)
     scene["frames"] = with_error_kind(ErrorKind::misuse, [&] { return frame_number(*frames_, *frames_); });
   option_flags_.add_to(scene);

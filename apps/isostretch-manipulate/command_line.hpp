@@ -1,13 +1,11 @@
 #pragma once
 
 #include "common/deformation_names.hpp"
-
 #include "common/frame_flags.hpp"
 #include "common/look_flags.hpp"
 #include "common/option_flags.hpp"
 #include "common/repair_flags.hpp"
 #include "common/scene_input.hpp"
-#include "options.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -19,6 +17,28 @@ class App;
 }
 
 namespace isostretch::app::manipulate {
+
+// Frames to make, both included.
+struct FrameRange {
+  int first = 1, last = 1;
+};
+
+// What does not belong to the scene: it changes no result.
+struct Options {
+  std::filesystem::path out;
+  std::optional<FrameRange> range;  // none: all
+  double time_limit = 0;            // seconds; 0: none
+  double memory_limit = 0;          // megabytes, of a rival's process; 0: none
+  std::string compare;              // solvers, as on the command line; empty: none
+  int repetitions = 1;              // of each of them
+  bool picture = true;
+  bool glb = false;
+  LookFlags look;
+  std::filesystem::path weights_cache;  // empty: none
+};
+
+// The names of solvers that can take the place of the library's.
+std::vector<std::string> rival_names();
 
 // The options of this app: declared to CLI11, then read with everything that CLI11 cannot check itself.
 class CommandLine {
@@ -46,8 +66,6 @@ class CommandLine {
   std::string path_from_here(const std::string& file) const;
   void add_mesh(scene::Value& scene) const;
   void add_handles(scene::Value& scene) const;
-  void add_photo(scene::Value& scene) const;
-  void add_rival(scene::Value& scene) const;
 
   std::filesystem::path input_;
   std::string out_, weights_cache_, compare_;

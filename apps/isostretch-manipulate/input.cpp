@@ -1,16 +1,21 @@
 #include "input.hpp"
 
 #include "common/scene_input.hpp"
-#include "scene_reader.hpp"
 
 #include <isostretch/core/text.hpp>
+#include <isostretch/figures/photo.hpp>
 
 namespace isostretch::app::manipulate {
 namespace {
 
-SolidSpec read_spec(const CommandLine& command_line, const scene::Value& scene) {
+std::array<int, 2> photo_size(const std::filesystem::path& file) {
+  const figures::Photo photo = figures::read_photo(file);
+  return {photo.width(), photo.height()};
+}
+
+SolidSpec read_spec(const CommandLine& command_line, const scene::Value& value) {
   SolidSpec spec = reading_scene(command_line.input(), [&] {
-    return read_body_spec(scene, command_line.folder(), command_line.refine());
+    return scene::read_manipulated_solid(value, command_line.folder(), command_line.refine(), photo_size);
   });
   spec.repair = command_line.repair();
   return spec;
@@ -18,24 +23,24 @@ SolidSpec read_spec(const CommandLine& command_line, const scene::Value& scene) 
 
 }  // namespace
 
-SolidModel read_body(const CommandLine& command_line, const scene::Value& scene) {
-  const SolidSpec spec = read_spec(command_line, scene);
+SolidModel read_body(const CommandLine& command_line, const scene::Value& value) {
+  const SolidSpec spec = read_spec(command_line, value);
   return reading_body(command_line.input(), spec, [&] {
     SolidModel body = deformation::load_solid(spec);
-    require_linear(body);
+    scene::require_linear(body);
     return body;
   });
 }
 
-SolidCheck check_solid(const CommandLine& command_line, const scene::Value& scene) {
-  const SolidSpec spec = read_spec(command_line, scene);
+SolidCheck check_solid(const CommandLine& command_line, const scene::Value& value) {
+  const SolidSpec spec = read_spec(command_line, value);
   return reading_body(command_line.input(), spec,
-                      [&] { return deformation::check_solid(spec, require_linear); });
+                      [&] { return deformation::check_solid(spec, scene::require_linear); });
 }
 
-Scene read_scene(const CommandLine& command_line, const scene::Value& scene, const SolidModel& body) {
+Scene read_scene(const CommandLine& command_line, const scene::Value& value, const SolidModel& body) {
   return reading_scene(command_line.input(), [&] {
-    Scene result = read_scene(scene, body.dim);
+    Scene result = scene::read_manipulation_scene(value, body.dim, rival_names());
     require_holds(result.format, body);
     return result;
   });

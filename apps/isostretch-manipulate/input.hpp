@@ -1,11 +1,12 @@
 #pragma once
 
-#include "common/deformation_names.hpp"
-
 #include "command_line.hpp"
-#include "scene.hpp"
+
+#include <isostretch/scene/manipulation_scene.hpp>
 
 namespace isostretch::app::manipulate {
+
+using Scene = scene::ManipulationScene;
 
 // What the command line and its scene say, read in this order. All throw Failure naming the file, or the
 // option, at fault.

@@ -1,34 +1,38 @@
 #include "manipulate.hpp"
-#include "common/check_report.hpp"
-#include "frame.hpp"
 
 #include "common/animation.hpp"
+#include "common/check_report.hpp"
+#include "common/handle_miss_report.hpp"
+#include "common/monitor.hpp"
 #include "common/preview.hpp"
 #include "common/rig_figure.hpp"
 #include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
+#include "common/threads.hpp"
 #include "common/timed.hpp"
 #include "input.hpp"
-#include "photo_frames.hpp"
-#include "report.hpp"
-#include "scene_reader.hpp"
+#include "picture.hpp"
 
+#include <isostretch/comparison/manipulation_report.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
 #include <isostretch/deformation/handle_misses.hpp>
+#include <isostretch/figures/photo_frames.hpp>
 
 #include <utility>
 
 namespace isostretch::app::manipulate {
 namespace {
 
-// Frames that have a file.
-Json files_of(const Json& frames) {
-  Json files = Json::array();
-  for (const Json& frame : frames)
-    if (frame.contains("file")) files.push_back(frame);
-  return files;
+using comparison::ManipulationFrame;
+using comparison::ManipulationReport;
+using comparison::StrainedShape;
+
+ExitCode exit_code(comparison::ManipulationStatus status) {
+  using comparison::ManipulationStatus;
+  if (status == ManipulationStatus::failed) return ExitCode::solver_failed;
+  return status == ManipulationStatus::success ? ExitCode::success : ExitCode::not_converged;
 }
 
 class Job {
@@ -61,40 +65,45 @@ class Job {
       return deformation::ElementRotations(scene_, body_, handle_set_, options_.weights_cache);
     });
     seconds_.weights = rotations.seconds();
-    Result result{scene_, body_, handle_set_, rotations, name_of_run(command_line)};
+    ManipulationReport result{scene_, body_, handle_set_, rotations, name_of_run(command_line)};
     result.wanted = range_.last - range_.first + 1;
     warn_of_loose_components(result);
     timed(seconds_.write, [&] { write_rest(result, folder); });
     make_frames(result, folder);
     write_reports(result, folder);
-    return conclude(verdict(result), exit_code(result), folder, options_.out, common_.verbose);
+    return conclude(result.verdict(), exit_code(result.status()), folder, options_.out, common_.verbose);
   }
 
  private:
-  std::optional<PhotoFrames> read_photo(const CommandLine& command_line) const {
-    const auto spec =
-        reading_scene(command_line.input(), [&] { return read_photo_spec(value_, command_line.folder()); });
+  std::optional<figures::PhotoFrames> read_photo(const CommandLine& command_line) const {
+    const auto spec = reading_scene(command_line.input(),
+                                    [&] { return scene::read_photo_spec(value_, command_line.folder()); });
     if (!spec) return {};
-    return with_error_kind(ErrorKind::input,
-                           [&] { return std::optional<PhotoFrames>(std::in_place, *spec, body_); });
+    const figures::Photo photo =
+        with_error_kind(ErrorKind::input, [&] { return figures::read_photo(spec->file); });
+    const mesh::Points2 rest = body_.nodes.leftCols<2>();
+    const figures::PhotoPlacement placement = spec->fit == scene::PhotoFit::pixels
+                                                  ? figures::unit_pixels(photo)
+                                                  : figures::filling_box(photo, rest);
+    return figures::PhotoFrames(photo, placement, body_.surface.mesh.triangles, rest);
   }
 
   std::string name_of_run(const CommandLine& command_line) const {
     return command_line.has_scene_file() ? command_line.input().stem().string() : body_.name;
   }
 
-  static void add_warning(Result& result, const std::string& text) {
+  static void add_warning(ManipulationReport& result, const std::string& text) {
     result.warnings.push_back(text);
     warn(text);
   }
 
-  void warn_of_loose_components(Result& result) const {
+  void warn_of_loose_components(ManipulationReport& result) const {
     const std::string text =
         deformation::loose_components_text(deformation::loose_components(handle_set_, body_));
     if (!text.empty()) add_warning(result, text);
   }
 
-  void write_rest(Result& result, OutputFolder& folder) {
+  void write_rest(ManipulationReport& result, OutputFolder& folder) {
     const std::string file = frame_name(0, scene_.format);
     const Vector rest = body_.rest_positions();
     const StrainField strain = strain_.at(rest);
@@ -103,37 +112,50 @@ class Job {
                                         {{"min_eig_S", std::vector<double>(count, 1.0)},
                                          {"det_F", strain.min_det},
                                          {"length_change", strain.length_change}}));
-    add_rest_frame(result, strain, file);
+    result.add_rest(strain, file);
     if (range_.first == 1) animation_.add(0, scene_.script.start, rest, strain);
     if (result.rotations.weights())
-      folder.write_now("weights.vtu",
-                       deformation::format_rest(body_, weight_fields(*result.rotations.weights())));
+      folder.write_now("weights.vtu", deformation::format_rest(
+                                          body_, deformation::weight_fields(*result.rotations.weights())));
   }
 
-  std::vector<mesh::MeshField> weight_fields(const handles::HandleWeights& weights) const {
-    std::vector<mesh::MeshField> fields;
-    const auto count = static_cast<std::size_t>(weights.handles);
-    for (std::size_t h = 0; h < count; ++h) {
-      fields.push_back({"weight_" + std::to_string(h), {}});
-      for (std::size_t i = h; i < weights.values.size(); i += count)
-        fields.back().values.push_back(weights.values[i]);
-    }
-    return fields;
+  std::string stop_reason(const StopToken& stop) const {
+    if (stop.stop_requested()) return "interrupted (Ctrl-C)";
+    if (stop.deadline_passed())
+      return formatted("stopped after %g seconds (--time-limit)", options_.time_limit);
+    return {};
   }
 
-  void make_frames(Result& result, OutputFolder& folder) {
-    FrameSolver solver(scene_, body_, handle_set_, result.rotations, options_);
+  Json misses_of(const ManipulationFrame& frame) const {
+    return misses_json(deformation::handle_misses(handle_set_, frame.time, body_.dim, frame.positions));
+  }
+
+  // Rows of the page, as the last frame that was made has them.
+  std::string handle_rows(const ManipulationFrame& last) const {
+    Json handles = Json::array();
+    for (const Handle& handle : handle_set_.handles())
+      handles.push_back(
+          {{"name", handle.name}, {"nodes", handle.nodes.size()}, {"kind", handle.soft ? "soft" : "hard"}});
+    return last.positions.size() > 0 ? handle_table(handles, misses_of(last)) : std::string();
+  }
+
+  void make_frames(ManipulationReport& result, OutputFolder& folder) {
+    const Monitor monitor = terminal_monitor().with_time_limit(options_.time_limit);
+    const auto halt = [&] { return stop_reason(monitor.stop); };
+    comparison::FrameSolver solver(scene_, body_, handle_set_, result.rotations, monitor,
+                                   {scene_.rival, options_.memory_limit, halt});
     for (int frame = range_.first; frame <= range_.last; ++frame) {
-      const std::string reason = solver.halt();
+      const std::string reason = halt();
       if (!reason.empty() && frame > range_.first) {
-        result.outcome = Outcome::stopped;
+        result.stopped = true;
         result.message = reason + formatted(" before frame %d", frame);
         return;
       }
-      FrameResult made = timed(seconds_.solve, [&] { return solver.solve(frame); });
+      ManipulationFrame made = timed(seconds_.solve, [&] { return solver.solve(frame); });
+      clear_progress();
       const bool on = !made.stopped();
       if (!on) {
-        result.outcome = Outcome::stopped;
+        result.stopped = true;
         result.message = formatted("frame %d: ", frame) + made.summary.message;
       }
       timed(seconds_.write, [&] { take(result, std::move(made), folder); });
@@ -141,89 +163,70 @@ class Job {
     }
   }
 
-  void take(Result& result, FrameResult made, OutputFolder& folder) {
+  void take(ManipulationReport& result, ManipulationFrame made, OutputFolder& folder) {
     const std::string file = frame_name(made.frame, scene_.format);
     if (!made.made()) {
-      add_frame(result, made, {}, {}, file);
+      result.add(made, {}, {}, file, {});
       warn(formatted("frame %d: ", made.frame) + made.trouble);
       return;
     }
-    const Shape before = shape_of(result, strain_, made.given, made.before),
-                after = shape_of(result, strain_, made.rotations, made.positions);
+    const StrainedShape before = result.shape(strain_, made.given, made.before),
+                        after = result.shape(strain_, made.rotations, made.positions);
     folder.write_now(file, format_frame(scene_.format, body_, made.positions,
                                         {{"min_eig_S", after.eigenvalues},
                                          {"det_F", after.strain.min_det},
                                          {"length_change", after.strain.length_change}}));
-    add_frame(result, made, before, after, file);
+    result.add(made, before, after, file, comparison::Record::parse(misses_of(made).dump()));
     animation_.add(made.frame, made.time, made.positions, after.strain);
-    notice(formatted("frame %d of %d: ", made.frame, scene_.script.frames) +
-           (made.certified() ? "certified" : std::string(made.status()) + " (" + made.summary.message + ")") +
-           formatted(", %d iterations", made.summary.iterations) +
-           (made.rival ? std::string() : formatted(", gap %.1e", made.summary.gap)) +
-           formatted(", inverted %zu -> %zu, min det F %.2g, %.2f s", before.strain.inverted.size(),
-                     after.strain.inverted.size(), after.strain.smallest_det(), made.seconds));
-    if (photo_) photo_->add(made.frame, made.positions);
+    notice(result.frame_text(made, before, after));
+    if (photo_) photo_->add(made.frame, body_.points(made.positions).leftCols<2>());
     result.last = std::move(made);
   }
 
-  void write_photos(Result& result, OutputFolder& folder) const {
+  void write_photos(ManipulationReport& result, OutputFolder& folder) const {
     if (!photo_) return;
-    const int shrink = photo_->write(folder);
+    const int shrink = photo_->draw(
+        [&](int frame, const std::string& png) { folder.add(formatted("photo_%04d.png", frame), png); });
     if (shrink > 1)
       add_warning(
           result,
           formatted("the photo is drawn %d times smaller: at its own scale it would be too large", shrink));
   }
 
-  // Of the last frame: what a certificate does not say.
-  void warn_of_misses(Result& result) const {
-    const FrameResult& last = result.last;
-    if (last.positions.size() == 0) return;
-    const std::string frame = formatted("frame %d: ", last.frame);
-    for (const std::string& text : deformation::miss_warnings(
-             deformation::handle_misses(handle_set_, last.time, body_.dim, last.positions), body_.diagonal()))
-      add_warning(result, frame + text);
-    const StrainField strain = strain_.at(last.positions);
-    const std::string flat =
-        deformation::nearly_flat_text(deformation::nearly_flat_elements(strain), strain, body_);
-    if (!flat.empty()) add_warning(result, frame + flat + "; --margin keeps elements from it");
-  }
-
-  void add_glb(Result& result, OutputFolder& folder) const {
+  void add_glb(ManipulationReport& result, OutputFolder& folder) const {
     const std::string told = animation_.add_glb(folder, "manipulate");
     if (!told.empty()) add_warning(result, told);
   }
 
-  void write_reports(Result& result, OutputFolder& folder) {
-    warn_of_misses(result);
+  void write_reports(ManipulationReport& result, OutputFolder& folder) {
+    for (const std::string& text : result.last_warnings(strain_)) add_warning(result, text);
     std::string states, path;
     timed(seconds_.write, [&] {
       write_photos(result, folder);
       folder.add("trace.csv", to_csv(result.trace));
-      if (scene_.format == FrameFormat::vtu)
-        folder.add("manipulate.pvd", animation_text(files_of(result.frames)));
+      if (scene_.format == FrameFormat::vtu) folder.add("manipulate.pvd", pvd_text(result.files()));
       if (options_.glb) add_glb(result, folder);
       if (!options_.picture || result.last.positions.size() == 0) return;
       folder.add("manipulate.png", states = draw_states(result, strain_));
       folder.add("path.png", path = draw_path(result, strain_));
     });
     seconds_.total = timer_.seconds();
-    const Json summary = summary_json(result, seconds_);
-    folder.add_json("summary.json", summary);
+    folder.add("summary.json", comparison::summary_text(result, seconds_, thread_count()));
     if (options_.picture)
-      folder.add("report.html", report_page(result, summary, states, path, animation_.preview()));
+      folder.add("report.html", comparison::report_page(result, seconds_, states, path, animation_.preview(),
+                                                        handle_rows(result.last)));
     folder.commit();
   }
 
   Timer timer_;
-  PhaseSeconds seconds_;
+  comparison::ManipulationSeconds seconds_;
   Options options_;
   const CommonOptions& common_;
   scene::Value value_;
   SolidModel body_;
   Scene scene_;
   HandleSet handle_set_;
-  std::optional<PhotoFrames> photo_;
+  std::optional<figures::PhotoFrames> photo_;
   Strain strain_;
   Animation animation_;
   FrameRange range_;

@@ -1,8 +1,10 @@
+#include "picture.hpp"
+
 #include "common/rig_figure.hpp"
-#include "report.hpp"
 
 #include <isostretch/core/text.hpp>
 #include <isostretch/figures/deformation_figure.hpp>
+#include <isostretch/figures/iterate_figure.hpp>
 
 namespace isostretch::app::manipulate {
 namespace {
@@ -13,15 +15,20 @@ std::string inverted_text(const StrainField& strain) {
              : with_thousands(static_cast<long long>(strain.inverted.size())) + " inverted (blue)";
 }
 
-std::string gap_text(const FrameResult& f) {
+std::string gap_text(const comparison::ManipulationFrame& f) {
   if (f.rival) return std::string(f.status());
   return f.certified() ? formatted("certified gap %.1e", f.summary.gap) : "not certified";
 }
 
+figures::IterateRow row_of(const sdp_penalty::Iteration& row) {
+  return {row.iteration, row.seconds, row.inverted, figures::relative_gap(row.energy, row.lower_bound),
+          row.infeasible == 0};
+}
+
 }  // namespace
 
-std::string draw_states(const Result& r, const Strain& strain) {
-  const FrameResult& f = r.last;
+std::string draw_states(const comparison::ManipulationReport& r, const Strain& strain) {
+  const comparison::ManipulationFrame& f = r.last;
   const StrainField rest = strain.at(r.body.rest_positions()), before = strain.at(f.before),
                     after = strain.at(f.positions);
   const auto state = [&](std::string caption, const Vector& positions, const StrainField& field,
@@ -47,6 +54,28 @@ std::string draw_states(const Result& r, const Strain& strain) {
        .lines = figure_lines(r.handle_set, r.body),
        .flat = r.body.dim == 2,
        .up = r.scene.up});
+}
+
+std::string draw_path(const comparison::ManipulationReport& r, const Strain& strain) {
+  figures::DeformationFigure figure{
+      .title = r.name + formatted(", frame %d: the way there", r.last.frame),
+      .subtitle = "Iterates from the unconstrained minimiser to the result; inverted elements blue",
+      .states = {},
+      .triangles = r.body.surface.mesh.triangles,
+      .element = r.body.surface.element,
+      .volumes = r.body.volumes(),
+      .lines = figure_lines(r.handle_set, r.body),
+      .flat = r.body.dim == 2,
+      .up = r.scene.up};
+  std::vector<figures::IterateRow> shown, trace;
+  for (const deformation::Iterate* iterate : r.last.path.selection(figures::shown_iterates)) {
+    const StrainField field = strain.at(iterate->positions);
+    figure.states.push_back(
+        {{}, surface_points(r.body, r.body.points(iterate->positions)), field.length_change, field.inverted});
+    shown.push_back(row_of(iterate->row));
+  }
+  for (const sdp_penalty::Iteration& row : r.last.summary.trace) trace.push_back(row_of(row));
+  return figures::draw_iterates(figure, shown, trace);
 }
 
 }  // namespace isostretch::app::manipulate

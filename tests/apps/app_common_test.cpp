@@ -1,5 +1,4 @@
 #include <isostretch/core/numbers.hpp>
-#include "common/number_table.hpp"
 #include "common/output_folder.hpp"
 #include "scratch.hpp"
 
@@ -100,16 +99,6 @@ TEST_CASE("comparisons are drawn as pixels and as shapes, whatever the numbers")
   CHECK(svg.find("<svg") != std::string::npos);
   CHECK(svg.find("nan") == std::string::npos);
   CHECK(svg.find("inf") == std::string::npos);
-}
-
-TEST_CASE("tables of numbers: names on top, cut off lines left out") {
-  const NumberTable table("a,b\n1,2\n3,\n4\n5,x\n6,7,8\n");
-  REQUIRE(table.rows() == 3);
-  CHECK(table.at(0, "b") == 2);
-  CHECK(std::isnan(table.at(1, "b")));
-  CHECK(table.at(2, "a") == 5);
-  CHECK(std::isnan(table.at(0, "c")));
-  CHECK(NumberTable("").rows() == 0);
 }
 
 TEST_CASE("an output folder is filled at once or not at all") {

@@ -63,6 +63,17 @@ std::string format_rest(const SolidModel& body, const std::vector<mesh::MeshFiel
   return vtu_text(body, body.nodes, {}, node_fields);
 }
 
+std::vector<mesh::MeshField> weight_fields(const handles::HandleWeights& weights) {
+  std::vector<mesh::MeshField> fields;
+  const auto count = static_cast<std::size_t>(weights.handles);
+  for (std::size_t h = 0; h < count; ++h) {
+    fields.push_back({"weight_" + std::to_string(h), {}});
+    for (std::size_t i = h; i < weights.values.size(); i += count)
+      fields.back().values.push_back(weights.values[i]);
+  }
+  return fields;
+}
+
 std::string pvd_text(const std::vector<std::pair<std::string, double>>& file_and_time) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   for (const auto& [file, time] : file_and_time)

@@ -3,6 +3,7 @@
 #include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/vector.hpp>
 #include <isostretch/deformation/solid_model.hpp>
+#include <isostretch/handles/bounded_weights.hpp>
 #include <isostretch/mesh_io/fields.hpp>
 
 #include <string>
@@ -35,6 +36,9 @@ std::string format_frame(FrameFormat format, const SolidModel& body, const Vecto
 
 /// Returns the VTU file of a body at rest with fields of one value a node.
 std::string format_rest(const SolidModel& body, const std::vector<mesh::MeshField>& node_fields);
+
+/// Returns the weights of each handle as a field of nodes: weight_0 and so on.
+std::vector<mesh::MeshField> weight_fields(const handles::HandleWeights& weights);
 
 /// Returns ParaView's list (PVD) of the files of an animation with their times.
 std::string pvd_text(const std::vector<std::pair<std::string, double>>& file_and_time);
