@@ -31,6 +31,11 @@ ExitCode exit_code_of(ErrorKind kind) noexcept {
   return ExitCode::solver_failed;
 }
 
+ExitCode exit_code_of(reports::RunStatus status) noexcept {
+  if (status == reports::RunStatus::failed) return ExitCode::solver_failed;
+  return status == reports::RunStatus::success ? ExitCode::success : ExitCode::not_converged;
+}
+
 std::string error_text(const Error& error) {
   if (const auto* about_option = dynamic_cast<const OptionError*>(&error)) {
     std::string flag = about_option->option();

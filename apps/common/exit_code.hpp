@@ -1,6 +1,7 @@
 #pragma once
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/reports/run_status.hpp>
 
 #include <string>
 
@@ -22,6 +23,9 @@ std::string exit_code_help();
 
 /// Returns the exit code for an error that ends a program.
 ExitCode exit_code_of(ErrorKind kind) noexcept;
+
+/// Returns the exit code for a run that ended like that.
+ExitCode exit_code_of(reports::RunStatus status) noexcept;
 
 /// Returns what to say about it: an option by its flag, and that nothing came of the run where that is so.
 std::string error_text(const Error& error);

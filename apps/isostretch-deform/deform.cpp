@@ -1,23 +1,22 @@
 #include "deform.hpp"
-#include "common/handle_miss_report.hpp"
 
 #include "common/animation.hpp"
 #include "common/check_report.hpp"
 #include "common/monitor.hpp"
-#include "common/newton_report.hpp"
 #include "common/preview.hpp"
-#include "common/rig_figure.hpp"
 #include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
+#include "common/threads.hpp"
 #include "common/timed.hpp"
-#include "report.hpp"
-#include "state.hpp"
+#include "scene.hpp"
 
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
 #include <isostretch/deformation/handle_misses.hpp>
 #include <isostretch/deformation/solid_check.hpp>
+#include <isostretch/figures/solid_figure.hpp>
+#include <isostretch/reports/sequence_report.hpp>
 #include <isostretch/scene/pipelines.hpp>
 #include <isostretch/scene/solid.hpp>
 
@@ -25,6 +24,11 @@
 
 namespace isostretch::app::deform {
 namespace {
+
+using reports::SequenceEnd;
+using reports::SequenceState;
+
+constexpr const char* state_file = "restart.json";
 
 SolidSpec read_spec(const CommandLine& command_line, const scene::Value& value) {
   const std::filesystem::path folder = scene_folder(command_line.input());
@@ -52,18 +56,18 @@ class Job {
       : options_(command_line.options()),
         common_(common),
         value_(command_line.scene()),
-        body_(timed(seconds_.read, [&] { return read_body(command_line); })),
+        body_(timed(facts_.read, [&] { return read_body(command_line); })),
         scene_(reading_scene(command_line.input(), [&] { return read_scene(value_, body_.dim); })),
         handle_set_(reading_scene(command_line.input(), [&] { return HandleSet(scene_.script, body_); })),
-        problem_(timed(seconds_.read,
+        problem_(timed(facts_.read,
                        [&] {
                          return reading_scene(command_line.input(), [&] {
                            return deformation::ElasticProblem(scene_, body_, handle_set_);
                          });
                        })),
         strain_(body_.elements),
-        animation_(body_, figure_lines(handle_set_, body_)),
-        result_{scene_, body_, handle_set_, problem_, Outcome::finished, {}, Json::array(), {}, {}, 0, {}} {
+        animation_(body_, figures::figure_lines(handle_set_, body_)),
+        report_({value_, scene_.script, body_, handle_set_, problem_}) {
     reading_scene(command_line.input(), [&] { require_holds(scene_.format, body_); });
     warn_of_loose_components();
   }
@@ -72,14 +76,14 @@ class Job {
   ExitCode preview() { return show_preview({handle_set_, body_, scene_.script.end}, options_.out); }
 
   ExitCode run() {
-    State state = options_.restart ? restored() : State();
+    SequenceState state = options_.restart ? restored() : SequenceState();
     OutputFolder folder(options_.out);
     if (!options_.restart) state = rest_state(folder);
-    result_.restarted_at = options_.restart ? state.frame + 1 : 0;
-    timed(seconds_.solve, [&] { make_frames(state, folder); });
-    seconds_.solve -= frame_write_seconds_;
+    first_frame_ = state.frame + 1;
+    timed(facts_.solve, [&] { make_frames(state, folder); });
+    facts_.solve -= frame_write_seconds_;
     write_reports(folder);
-    return conclude(verdict(result_), exit_code(result_), folder, options_.out, common_.verbose);
+    return conclude(report_.verdict(), exit_code_of(report_.status()), folder, options_.out, common_.verbose);
   }
 
  private:
@@ -95,57 +99,48 @@ class Job {
   }
 
   void add_warning(const std::string& text) {
-    result_.warnings.push_back(text);
+    report_.add_warning(text);
     warn(text);
   }
 
-  State restored() {
-    State state = with_error_kind(ErrorKind::input, [&] { return read_state(options_.out, scene_, body_); });
+  SequenceState restored() {
+    SequenceState state =
+        with_error_kind(ErrorKind::input, [&] { return report_.read_state(options_.out / state_file); });
+    for (const std::string& text : state.warnings) warn(text);
     notice(formatted("going on after frame %d of %d", state.frame, scene_.script.frames));
     return state;
   }
 
   // Frame 0.
-  State rest_state(OutputFolder& folder) {
-    State state;
-    state.positions = body_.rest_positions();
-    state.frames = Json::array();
+  SequenceState rest_state(OutputFolder& folder) {
+    SequenceState state{0, body_.rest_positions(), {}};
     const StrainField strain = strain_.at(state.positions);
     const std::string file = frame_name(0, scene_.format);
-    state.frames.push_back(rest_frame_json(result_, strain, file));
+    report_.add_rest(strain, file);
     write_frame(folder, file, state.positions, strain);
     save(folder, state);
     return state;
   }
 
-  void make_frames(State& state, OutputFolder& folder) {
+  void make_frames(SequenceState& state, OutputFolder& folder) {
     deformation::Stepper stepper(
         scene_, body_, handle_set_, problem_, [this](const std::string& text) { add_warning(text); },
         terminal_monitor());
-    result_.positions = state.positions;
+    positions_ = state.positions;
     animation_.add(state.frame, scene_.script.time(state.frame), state.positions,
                    strain_.at(state.positions));
-    result_.frames = state.frames;
-    result_.trace = state.trace;
     for (int frame = state.frame + 1; frame <= scene_.script.frames; ++frame) {
       if (interrupted())
-        return stop(Outcome::stopped, formatted("interrupted (Ctrl-C) before frame %d", frame));
-      if (options_.stop_after >= 0 && frame > first_frame() + options_.stop_after - 1)
-        return stop(Outcome::stop_after, formatted("stopped after frame %d of %d (--stop-after)", frame - 1,
-                                                   scene_.script.frames));
+        return report_.end(SequenceEnd::stopped, formatted("interrupted (Ctrl-C) before frame %d", frame));
+      if (options_.stop_after >= 0 && frame > first_frame_ + options_.stop_after - 1)
+        return report_.end(SequenceEnd::stop_after, formatted("stopped after frame %d of %d (--stop-after)",
+                                                              frame - 1, scene_.script.frames));
       if (!make_frame(frame, stepper, folder, state)) return;
     }
   }
 
-  int first_frame() const { return options_.restart ? result_.restarted_at : 1; }
-
-  void stop(Outcome outcome, std::string message) {
-    result_.outcome = outcome;
-    result_.message = std::move(message);
-  }
-
   // False when it was not reached; `state` then stays at the frame before.
-  bool make_frame(int frame, deformation::Stepper& stepper, OutputFolder& folder, State& state) {
+  bool make_frame(int frame, deformation::Stepper& stepper, OutputFolder& folder, SequenceState& state) {
     Vector positions = state.positions;
     const deformation::FrameResult made = stepper.advance(frame, positions);
     clear_progress();
@@ -154,19 +149,18 @@ class Job {
     const std::string file = frame_name(frame, scene_.format);
     if (moved) {
       last_misses_ = deformation::handle_misses(handle_set_, made.time, body_.dim, positions);
-      result_.frames.push_back(frame_json(frame, made, made.time, strain, misses_json(last_misses_), file));
-      result_.trace += trace_rows(frame, made.summary, result_.trace.empty());
-      result_.positions = positions;
+      report_.add_frame(frame, made, strain, last_misses_, file);
+      positions_ = positions;
       write_frame(folder, file, positions, strain);
       animation_.add(frame, made.time, positions, strain);
     }
     if (!made.reached) {
       const bool failed = !made.why.empty() || newton::failed(made.summary.status);
-      stop(failed ? Outcome::failed : Outcome::stopped,
-           made.why.empty() ? formatted("frame %d: ", frame) + made.summary.message : made.why);
+      report_.end(failed ? SequenceEnd::failed : SequenceEnd::stopped,
+                  made.why.empty() ? formatted("frame %d: ", frame) + made.summary.message : made.why);
       return false;
     }
-    state = {frame, result_.frames, result_.trace, std::move(positions)};
+    state = {frame, std::move(positions), {}};
     save(folder, state);
     notice(progress(frame, made, strain));
     return true;
@@ -188,9 +182,9 @@ class Job {
     folder.write_now(file, format_frame(scene_.format, body_, positions, fields));
   }
 
-  void save(OutputFolder& folder, const State& state) {
+  void save(OutputFolder& folder, const SequenceState& state) {
     const ScopedTimer timer(frame_write_seconds_);
-    folder.write_now(state_file, state_text(state, scene_, body_));
+    folder.write_now(state_file, report_.state_text(state.frame, state.positions));
   }
 
   // Of the last frame. Stretches go with an energy; handles that are not where they should be go with its
@@ -201,30 +195,29 @@ class Job {
   }
 
   void add_glb(OutputFolder& folder) {
-    const std::string told = animation_.add_glb(folder, "deform");
+    const std::string told = app::add_glb(folder, animation_, "deform");
     if (!told.empty()) add_warning(told);
   }
 
   void write_reports(OutputFolder& folder) {
     warn_of_misses();
     std::string picture;
-    timed(seconds_.write, [&] {
-      if (options_.picture) folder.add("deform.png", picture = draw(result_, strain_));
-      folder.add("trace.csv", result_.trace);
-      if (scene_.format == FrameFormat::vtu) folder.add("deform.pvd", animation_text(result_.frames));
+    timed(facts_.write, [&] {
+      if (options_.picture)
+        folder.add("deform.png", picture = figures::draw_sequence(report_.figure(positions_)));
+      folder.add("trace.csv", report_.trace_text());
+      if (scene_.format == FrameFormat::vtu) folder.add("deform.pvd", report_.animation_text());
       if (options_.glb) add_glb(folder);
     });
-    seconds_.write += frame_write_seconds_;
-    seconds_.total = timer_.seconds();
-    const Json summary = summary_json(result_, seconds_);
-    folder.add_json("summary.json", summary);
-    if (options_.picture)
-      folder.add("report.html", report_page(result_, summary, picture, animation_.preview()));
+    facts_.write += frame_write_seconds_;
+    facts_.total = timer_.seconds();
+    folder.add("summary.json", report_.summary_text(facts_));
+    if (options_.picture) folder.add("report.html", report_.page(facts_, picture, animation_.preview()));
     folder.commit();
   }
 
   Timer timer_;
-  PhaseSeconds seconds_;
+  reports::RunFacts facts_{.threads = thread_count()};
   double frame_write_seconds_ = 0;
   std::vector<HandleMiss> last_misses_;
   Options options_;
@@ -235,8 +228,10 @@ class Job {
   HandleSet handle_set_;
   deformation::ElasticProblem problem_;
   Strain strain_;
-  Animation animation_;  // of this run: from the frame that it went on from
-  Result result_;
+  figures::Animation animation_;  // of this run: from the frame that it went on from
+  reports::SequenceReport report_;
+  Vector positions_;     // of the last frame
+  int first_frame_ = 1;  // of those made in this run
 };
 
 }  // namespace

@@ -1,12 +1,13 @@
 #include "inspect.hpp"
 
+#include "common/output_folder.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
-#include "maps.hpp"
-#include "report.hpp"
 
 #include <isostretch/core/text.hpp>
 #include <isostretch/expressions/expression.hpp>
+#include <isostretch/figures/energy_maps.hpp>
+#include <isostretch/reports/energy_report.hpp>
 #include <isostretch/scene/energy_choice.hpp>
 
 #include <algorithm>
@@ -14,6 +15,9 @@
 
 namespace isostretch::app::inspect {
 namespace {
+
+using inspection::Findings;
+using inspection::Study;
 
 energies::AnyEnergy read_energy(const Options& options) {
   const std::string& text = options.energy;
@@ -26,25 +30,22 @@ energies::AnyEnergy read_energy(const Options& options) {
 }
 
 Findings look_at(const energies::AnyEnergy& energy, const Options& options) {
-  Findings findings{options, energy, {}};
-  for (const int dim : {2, 3})
-    if (energy.supports(dim) &&
-        (options.dimensions == Dimensions::both || static_cast<int>(options.dimensions) == dim))
-      findings.studies.push_back(study(energy, dim, options));
-  return findings;
+  std::optional<int> dim;
+  if (options.dimensions != Dimensions::both) dim = static_cast<int>(options.dimensions);
+  return inspection::inspect(energy, options.energy, options.range, dim);
 }
 
 void write(const Findings& findings, OutputFolder& folder) {
   std::vector<std::string> maps;
   for (const Study& study : findings.studies) {
     const std::string name = formatted("maps_%dd", study.dim);
-    const Maps drawn(findings.energy, study.dim, findings.options.range);
+    const figures::EnergyMaps drawn(findings.energy, study.dim, findings.range);
     maps.push_back(drawn.draw(figures::PictureFormat::png));
     folder.add(name + ".png", maps.back());
     folder.add(name + ".svg", drawn.draw(figures::PictureFormat::svg));
   }
-  folder.add_json("summary.json", summary_json(findings));
-  folder.add("report.html", report_page(findings, maps));
+  folder.add("summary.json", reports::summary_text(findings));
+  folder.add("report.html", reports::report_page(findings, maps));
   folder.commit();
 }
 
@@ -56,10 +57,10 @@ ExitCode inspect(const CommandLine& command_line, const CommonOptions& common) {
   std::optional<OutputFolder> folder;
   if (!options.out.empty()) folder.emplace(options.out);
   const Findings findings = look_at(energy, options);
-  print(report_text(findings));
+  print(reports::report_text(findings));
   if (!folder) return ExitCode::success;
   write(findings, *folder);
-  return conclude(verdict(findings), ExitCode::success, *folder, options.out, common.verbose);
+  return conclude(inspection::verdict(findings), ExitCode::success, *folder, options.out, common.verbose);
 }
 
 }  // namespace isostretch::app::inspect

@@ -2,6 +2,7 @@
 
 #include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/text.hpp>
+#include <isostretch/inspection/study.hpp>
 
 #include <filesystem>
 #include <map>
@@ -13,10 +14,7 @@ enum class Dimensions { two = 2, three = 3, both };
 inline constexpr ChoiceNames<Dimensions, 3> dimension_names{
     {{"2", Dimensions::two}, {"3", Dimensions::three}, {"both", Dimensions::both}}};
 
-// Of stretches, around 1.
-struct Range {
-  double low = 0.3, high = 3;
-};
+using Range = inspection::StretchRange;
 
 struct Options {
   std::string energy;  // a name or an expression

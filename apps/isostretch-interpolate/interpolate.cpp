@@ -6,13 +6,14 @@
 #include "common/scene_input.hpp"
 #include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
+#include "common/threads.hpp"
 #include "common/timed.hpp"
-#include "report.hpp"
 
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
+#include <isostretch/figures/solid_figure.hpp>
+#include <isostretch/reports/interpolation_report.hpp>
 #include <isostretch/scene/energy.hpp>
-#include <isostretch/surface/edges.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -20,13 +21,8 @@
 namespace isostretch::app::interpolate {
 namespace {
 
-// Frames to draw side by side, evenly over the way.
-bool is_drawn(int frame, int frames) {
-  constexpr int intervals = 4;
-  for (int i = 0; i <= intervals; ++i)
-    if (frame == (2 * i * frames + intervals) / (2 * intervals)) return true;
-  return false;
-}
+using reports::InterpolationEnd;
+using Strains = std::array<StrainField, 2>;  // against both key shapes
 
 // Prints what is to be known of both poses, and whether they belong together: ExitCode::input if not.
 ExitCode check_poses(const Options& options) {
@@ -56,7 +52,7 @@ class Job {
   Job(const std::filesystem::path& input, Options options, const CommonOptions& common)
       : options_(std::move(options)),
         common_(common),
-        key_shapes_(timed(seconds_.read,
+        key_shapes_(timed(facts_.read,
                           [&] {
                             return with_error_kind(ErrorKind::input, [&] {
                               return deformation::read_key_shapes(options_.first, options_.second,
@@ -66,22 +62,22 @@ class Job {
         energy_(reading_scene(input, [&] { return read_energy(); })),
         strains_{Strain(key_shapes_.first.elements), Strain(key_shapes_.second.elements)},
         interpolator_(options_, key_shapes_, energy_, terminal_monitor()),
-        animation_(key_shapes_.first, outline(key_shapes_.first)),
-        result_{options_, key_shapes_, energy_} {
+        animation_(key_shapes_.first, figures::outline(key_shapes_.first)),
+        report_({options_.value, options_, key_shapes_, energy_}) {
     if (!energy_.has_barrier())
       warn_of("'" + energy_.name() + "' has no barrier: frames may have inverted elements");
   }
 
   ExitCode run() {
     OutputFolder folder(options_.out);
-    timed(seconds_.solve, [&] { make_frames(); });
-    timed(seconds_.write, [&] { write_frames(folder); });
-    if (jumps_at_the_end(result_))
+    timed(facts_.solve, [&] { make_frames(); });
+    timed(facts_.write, [&] { write_frames(folder); });
+    if (report_.jumps_at_the_end())
       warn_of(
           "the last step is much longer than the others: the way leads to another minimum than the second "
           "pose");
     write_reports(folder);
-    return conclude(verdict(result_), exit_code(result_), folder, options_.out, common_.verbose);
+    return conclude(report_.verdict(), exit_code_of(report_.status()), folder, options_.out, common_.verbose);
   }
 
  private:
@@ -92,32 +88,26 @@ class Job {
     return energy;
   }
 
-  static std::vector<std::array<int, 2>> outline(const SolidModel& body) {
-    if (body.dim == 3) return {};
-    return mesh::edges_of(body.surface.mesh.triangles).boundary;
-  }
-
   void warn_of(std::string text) {
     warn(text);
-    result_.warnings.push_back(std::move(text));
+    report_.add_warning(std::move(text));
   }
 
   void make_frames() {
     for (int number = 0; !interpolator_.done(); ++number) {
       if (interrupted() && number > 0) {
-        result_.outcome = Outcome::stopped;
-        result_.message = formatted("interrupted (Ctrl-C) before frame %d", number);
+        report_.end(InterpolationEnd::stopped, formatted("interrupted (Ctrl-C) before frame %d", number));
         return;
       }
       frames_.push_back(interpolator_.next());
       clear_progress();
       const deformation::InterpolationFrame& frame = frames_.back();
       const Strains strains{strains_[0].at(frame.settled), strains_[1].at(frame.settled)};
-      add_frame(result_, frame, strains, frame_name(number, options_.format));
+      report_.add_frame(frame, strains, frame_name(number, options_.format));
       if (frame.solved) notice(progress(frame, strains));
       if (frame.complete()) continue;
-      result_.outcome = newton::failed(frame.summary.status) ? Outcome::failed : Outcome::stopped;
-      result_.message = formatted("frame %d: ", number) + frame.summary.message;
+      report_.end(newton::failed(frame.summary.status) ? InterpolationEnd::failed : InterpolationEnd::stopped,
+                  formatted("frame %d: ", number) + frame.summary.message);
       return;
     }
   }
@@ -134,15 +124,8 @@ class Job {
                                      {"length_change_1", first.length_change},
                                      {"length_change_2", second.length_change}}));
       animation_.add(frame.number, frame.time, positions, first);
-      take_snapshot({frame.number, frame.time, positions});
+      report_.add_snapshot({frame.number, frame.time, positions});
     }
-  }
-
-  // The last one stays only until there is a later one, unless it is among those to draw.
-  void take_snapshot(Snapshot shot) {
-    auto& shots = result_.snapshots;
-    if (!shots.empty() && !is_drawn(shots.back().number, options_.frames)) shots.pop_back();
-    shots.push_back(std::move(shot));
   }
 
   std::string progress(const deformation::InterpolationFrame& frame, const Strains& strains) const {
@@ -153,41 +136,40 @@ class Job {
   }
 
   void add_glb(OutputFolder& folder) {
-    std::string told = animation_.add_glb(folder, "interpolation");
+    std::string told = app::add_glb(folder, animation_, "interpolation");
     if (!told.empty()) warn_of(std::move(told));
   }
 
   void write_reports(OutputFolder& folder) {
     std::string frames, energies;
-    timed(seconds_.write, [&] {
+    timed(facts_.write, [&] {
       if (options_.pictures) {
-        folder.add("interpolation.png", frames = draw_frames(result_));
-        folder.add("energy.png", energies = draw_energies(result_));
+        const figures::InterpolationFigure figure = report_.figure();
+        folder.add("interpolation.png", frames = figures::draw_frames(figure));
+        folder.add("energy.png", energies = figures::draw_energies(figure));
       }
       if (options_.glb) add_glb(folder);
-      folder.add("trace.csv", result_.trace);
-      if (options_.format == FrameFormat::vtu)
-        folder.add("interpolation.pvd", animation_text(result_.frames));
+      folder.add("trace.csv", report_.trace_text());
+      if (options_.format == FrameFormat::vtu) folder.add("interpolation.pvd", report_.animation_text());
     });
-    seconds_.total = timer_.seconds();
-    const Json summary = summary_json(result_, seconds_);
-    folder.add_json("summary.json", summary);
+    facts_.total = timer_.seconds();
+    folder.add("summary.json", report_.summary_text(facts_));
     if (options_.pictures)
-      folder.add("report.html", report_page(result_, summary, frames, energies, animation_.preview()));
+      folder.add("report.html", report_.page(facts_, frames, energies, animation_.preview()));
     folder.commit();
   }
 
   Timer timer_;
-  PhaseSeconds seconds_;
+  reports::RunFacts facts_{.threads = thread_count()};
   Options options_;
   const CommonOptions& common_;
   deformation::KeyShapes key_shapes_;
   energies::AnyEnergy energy_;
   std::array<Strain, 2> strains_;
   deformation::Interpolation interpolator_;
-  Animation animation_;
+  figures::Animation animation_;
   std::vector<deformation::InterpolationFrame> frames_;
-  Result result_;
+  reports::InterpolationReport report_;
 };
 
 }  // namespace

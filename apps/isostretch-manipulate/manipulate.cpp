@@ -194,7 +194,7 @@ class Job {
   }
 
   void add_glb(ManipulationReport& result, OutputFolder& folder) const {
-    const std::string told = animation_.add_glb(folder, "manipulate");
+    const std::string told = app::add_glb(folder, animation_, "manipulate");
     if (!told.empty()) add_warning(result, told);
   }
 
@@ -228,7 +228,7 @@ class Job {
   HandleSet handle_set_;
   std::optional<figures::PhotoFrames> photo_;
   Strain strain_;
-  Animation animation_;
+  figures::Animation animation_;
   FrameRange range_;
 };
 

@@ -81,7 +81,7 @@ scene::Value CommandLine::scene() const {
   scene::Value scene = read_scene_input(input_, used_keys);
   if (!is_scene_file(input_)) scene["mesh"] = input_.string();
   energy_flags_.add_to(scene, input_);
-  with_error_kind(ErrorKind::misuse, [&] { add_pins(pins_, scene); });
+  with_error_kind(ErrorKind::misuse, [&] { scene::add_pins(pins_, scene); });
   option_flags_.add_to(scene);
   return scene;
 }

@@ -4,7 +4,8 @@
 #include "common/option_flags.hpp"
 #include "common/repair_flags.hpp"
 #include "options.hpp"
-#include "pin_text.hpp"
+
+#include <isostretch/scene/pin_text.hpp>
 
 #include <filesystem>
 #include <string>
@@ -32,7 +33,7 @@ class CommandLine {
   std::string out_;
   EnergyFlags energy_flags_;
   OptionFlags option_flags_;
-  PinTexts pins_;
+  scene::PinTexts pins_;
   std::string weld_;
   const CLI::Option* weld_option_ = nullptr;
   bool check_ = false, triangulate_ = false, repair_ = false, no_picture_ = false, glb_ = false;

@@ -3,63 +3,65 @@
 #include "common/monitor.hpp"
 #include "common/output_folder.hpp"
 #include "common/terminal.hpp"
+#include "common/threads.hpp"
 #include "common/timed.hpp"
-#include "model_picture.hpp"
-#include "outcome.hpp"
-#include "report_page.hpp"
-#include "textured_glb.hpp"
+#include "input.hpp"
 #include "uv_file.hpp"
 
-#include <nlohmann/json.hpp>
+#include <isostretch/core/timer.hpp>
+#include <isostretch/figures/parameterization_figures.hpp>
+#include <isostretch/reports/parameterization_report.hpp>
 
 #include <future>
-
-#include <isostretch/core/timer.hpp>
-#include <isostretch/mesh_io/io.hpp>
 
 namespace isostretch::app::parameterize {
 namespace {
 
+using reports::ParameterizationReport;
+
 struct Written {
-  Pictures pictures;
+  std::string model_png = {}, layout_png = {};
   std::string trouble = {};  // what could not be written, and why
 };
 
 // glTF has floats: what does not fit into them is no reason to lose the rest.
-std::string add_glb(OutputFolder& folder, const Result& result) {
-  const std::string name = result.options.model.stem().string() + "_uv.glb";
+std::string add_glb(OutputFolder& folder, const ParameterizationReport& report) {
+  const std::string name = report.model.stem().string() + "_uv.glb";
   try {
-    folder.add(name, textured_glb(result));
+    folder.add(name, figures::textured_glb(report.result));
     return {};
   } catch (const Error& error) {
     return name + " is not written: " + error.what();
   }
 }
 
-Written write(OutputFolder& folder, const Result& result) {
-  const Options& options = result.options;
+Written write(OutputFolder& folder, const ParameterizationReport& report, const Input& input,
+              const Options& options) {
   const std::string stem = options.model.stem().string();
-  folder.add(stem + "_uv.obj", uv_file(result));
-  folder.add("trace.csv", trace_text(result));
+  folder.add(stem + "_uv.obj", uv_file(input, report.result));
+  folder.add("trace.csv", reports::trace_text(report));
   Written written;
-  if (options.glb) written.trouble = add_glb(folder, result);
+  if (options.glb) written.trouble = add_glb(folder, report);
   if (!options.picture) return written;
-  auto layout = std::async(std::launch::async, [&] { return draw_layout(result); });
-  written.pictures.model = draw_model(result);
-  written.pictures.layout = layout.get();
-  folder.add("layout.png", written.pictures.layout);
-  folder.add("model.png", written.pictures.model);
+  const figures::ParameterizationFigure figure{
+      report.result, options.model.filename().string() + ", " + options.energy.name(),
+      options.units() == parameterization::UvUnits::square};
+  auto layout = std::async(std::launch::async, [&] { return figures::draw_layout(figure); });
+  written.model_png = figures::draw_model(figure);
+  written.layout_png = layout.get();
+  folder.add("layout.png", written.layout_png);
+  folder.add("model.png", written.model_png);
   return written;
 }
 
-ExitCode conclude(const Result& result, const OutputFolder& folder, const CommonOptions& common,
-                  const std::string& trouble) {
-  if (common.verbose) print(result.solution.summary.full_report());
+ExitCode conclude(const ParameterizationReport& report, const OutputFolder& folder,
+                  const CommonOptions& common, const std::string& trouble) {
+  if (common.verbose) print(report.result.solution.summary.full_report());
   for (const auto& path : folder.paths()) print("wrote " + path.string() + "\n");
-  for (const std::string& warning : layout_warnings(result)) warn(warning);
-  print(outcome(result) + "\n");
-  const ExitCode code = exit_code(result);
-  if (code != ExitCode::success) report_error(verdict(result));
+  for (const std::string& warning : layout_warnings(report)) warn(warning);
+  print(outcome(report) + "\n");
+  const ExitCode code = exit_code_of(status(report));
+  if (code != ExitCode::success) report_error(verdict(report));
   if (!trouble.empty()) report_error(trouble);
   return code == ExitCode::success && !trouble.empty() ? ExitCode::output : code;
 }
@@ -88,21 +90,22 @@ parameterization::Parameterization flatten(const Input& input, const Options& op
 ExitCode parameterize(const Options& options, const CommonOptions& common) {
   if (options.check) return print_check(options);
   const Timer timer;
-  PhaseSeconds seconds;
-  const Input input = timed(seconds.read, [&] { return read_input(options); });
+  reports::RunFacts facts{.threads = thread_count()};
+  const Input input = timed(facts.read, [&] { return read_input(options); });
   OutputFolder folder(options.out);
-  const parameterization::Parameterization p = flatten(input, options);
+  const parameterization::Parameterization result = flatten(input, options);
   clear_progress();
-  seconds.read += p.times.seconds("domain");
-  seconds.initial = p.times.seconds("start");
-  const Result result{options, options.energy, input, p, p.domain, p.start, p.solution, p.layout, p.split};
-  const Written written = timed(seconds.write, [&] { return write(folder, result); });
-  seconds.total = timer.seconds();
-  const Json summary = summary_json(result, seconds);
-  folder.add_json("summary.json", summary);
-  if (options.picture) folder.add("report.html", report_page(result, summary, written.pictures));
+  facts.read += result.times.seconds("domain");
+  facts.initial = result.times.seconds("start");
+  const ParameterizationReport report{result,        options,        options.energy, options.model,
+                                      input.repairs, options.repair, options.weld};
+  const Written written = timed(facts.write, [&] { return write(folder, report, input, options); });
+  facts.total = timer.seconds();
+  folder.add("summary.json", reports::summary_text(report, facts));
+  if (options.picture)
+    folder.add("report.html", reports::report_page(report, facts, written.model_png, written.layout_png));
   folder.commit();
-  return conclude(result, folder, common, written.trouble);
+  return conclude(report, folder, common, written.trouble);
 }
 
 }  // namespace isostretch::app::parameterize

@@ -8,11 +8,11 @@ namespace isostretch::app::parameterize {
 namespace {
 
 // Of the triangles of the document, rows of -1 for those that were removed.
-mesh::Triangles document_corners(const Result& r) {
-  const mesh::Triangles& open = r.domain.open().triangles;
-  const std::vector<int>& original = r.input.repairs.original_triangle;
+mesh::Triangles document_corners(const Input& input, const parameterization::Parameterization& result) {
+  const mesh::Triangles& open = result.domain.open().triangles;
+  const std::vector<int>& original = input.repairs.original_triangle;
   if (original.empty()) return open;
-  mesh::Triangles corners = mesh::Triangles::Constant(r.input.document->mesh().triangles.rows(), 3, -1);
+  mesh::Triangles corners = mesh::Triangles::Constant(input.document->mesh().triangles.rows(), 3, -1);
   for (std::size_t t = 0; t < original.size(); ++t)
     corners.row(original[t]) = open.row(static_cast<Eigen::Index>(t));
   return corners;
@@ -32,15 +32,15 @@ void tell(const mesh::ObjText& out) {
 
 }  // namespace
 
-std::string uv_file(const Result& r) {
-  if (!r.input.document) return mesh::format_obj(r.all.textured());
-  if (!r.input.repairs.turned.empty() || !r.input.repairs.split_vertices.empty()) {
+std::string uv_file(const Input& input, const parameterization::Parameterization& result) {
+  if (!input.document) return mesh::format_obj(result.textured());
+  if (!input.repairs.turned.empty() || !input.repairs.split_vertices.empty()) {
     notice(
         "the OBJ file has the repaired triangles alone: groups, materials, normals and polygons are not "
         "kept");
-    return mesh::format_obj(r.all.textured());
+    return mesh::format_obj(result.textured());
   }
-  const mesh::ObjText out = r.input.document->with_uv(r.layout.uv, document_corners(r));
+  const mesh::ObjText out = input.document->with_uv(result.layout.uv, document_corners(input, result));
   tell(out);
   return out.text;
 }

@@ -10,6 +10,8 @@ import libraries
 SNIPPETS = [("libs/parameterization/README.md", "tests/consumers/project/parameterization.cpp"),
             ("libs/deformation/README.md", "tests/consumers/project/deformation.cpp"),
             ("libs/scene/README.md", "tests/consumers/project/scene.cpp"),
+            ("libs/inspection/README.md", "tests/consumers/project/inspection.cpp"),
+            ("libs/reports/README.md", "tests/consumers/project/reports.cpp"),
             ("README.md", "tests/consumers/project/newton.cpp"), ("README.md", "tests/apps/log_sink_test.cpp"),
             ("docs/tutorials/energies.md", "tests/consumers/project/testing.cpp")]
 
