@@ -1,14 +1,12 @@
 #pragma once
 
-#include <string_view>
+#include <isostretch/scene/scene_input.hpp>
+
 #include <vector>
 
 namespace isostretch::app {
 
-/// A scene that is part of the program: the name of its file without .json, and all of its text.
-struct EmbeddedScene {
-  std::string_view name, text;
-};
+using scene::EmbeddedScene;
 
 /// Returns the scenes of this app, by name. Defined in every app that calls isostretch_embed_scenes() in its
 /// CMakeLists.txt, and in no other.

@@ -1,6 +1,5 @@
 #include "common/run_app.hpp"
 
-#include "common/energy_plugin.hpp"
 #include "common/help.hpp"
 #include "common/interrupt.hpp"
 #include "common/threads.hpp"
@@ -10,6 +9,7 @@
 #include <isostretch/core/isa.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/version.hpp>
+#include <isostretch/energies/plugin.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -39,13 +39,13 @@ void declare_common(CLI::App& cli, CommonOptions& options) {
          "Write messages there, too, with time: debug ones and above unless --log-level says otherwise")
       ->type_name("FILE");
   cli.add_option("--threads", options.threads, "Threads of parallel loops; results do not depend on it")
-      ->check(whole_number_between(1, 1024))
+      ->check(in_range(between(1, 1024), true))
       ->type_name("N");
   // At once, for what comes after it: --list-energies shows them.
   cli.add_option_function<std::string>(
          "--plugin",
          [&options](const std::string& file) {
-           load_energies(file);
+           energies::load_plugin(file);
            options.plugins.push_back(file);
          },
          "Shared library with energies of your own (isostretch/energies/plugin.hpp); may be repeated")

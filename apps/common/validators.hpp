@@ -11,15 +11,11 @@
 namespace isostretch::app {
 
 // Checks for options of CLI11, which takes "nan" and "1e400" for numbers on its own and "nan" for one in any
-// range. Every numeric option of an app has one of these; all of them read by finite_number() and
-// whole_number().
-// They have no description of their own for --help: what an option takes is said there.
+// range. They have no description of their own for --help: what an option takes is said there.
+
 /// A number, or a whole number, of a range.
 CLI::Validator in_range(const Range& range, bool whole);
-CLI::Validator not_negative();
-CLI::Validator positive();
-CLI::Validator number_between(double lowest, double highest);
-CLI::Validator whole_number_between(int lowest, int highest);
+/// One of these names.
 CLI::Validator one_of(const std::vector<std::string>& names);
 /// One of the names that there are when the command line is read, which plug-ins may have added to.
 CLI::Validator one_of(std::function<std::vector<std::string>()> names);

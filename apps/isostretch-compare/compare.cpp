@@ -1,12 +1,12 @@
 #include "compare.hpp"
 
 #include "common/interrupt.hpp"
-#include "common/machine.hpp"
+#include "common/results.hpp"
 #include "common/scene_input.hpp"
-#include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "common/threads.hpp"
 
+#include <isostretch/comparison/machine.hpp>
 #include <isostretch/comparison/method_optimum.hpp>
 #include <isostretch/comparison/method_page.hpp>
 #include <isostretch/comparison/method_tables.hpp>
@@ -27,7 +27,7 @@ class Benchmark {
       : common_(common), scene_(command_line.scene()), options_(command_line.options(scene_)) {
     comparison_.settings = options_;
     read_problems(command_line.scene_file());
-    comparison_.machine = comparison::Record::parse(machine_json().dump());
+    comparison_.machine = comparison::machine_record(thread_count());
     runs_ = {
         .scene_file = options_.out / "scene.json",
         .out = options_.out,
@@ -41,7 +41,7 @@ class Benchmark {
   ExitCode run() {
     OutputFolder folder(options_.out);
     folder.write_now("scene.json", scene::to_json(scene_, 2) + "\n");
-    comparison_.date = date_text();
+    comparison_.date = comparison::date_text();
     for (int number = 1; number <= options_.repetitions; ++number) run_repetition(number);
     for (ComparedProblem& problem : comparison_.problems)
       comparison::find_optimum(problem, runs_, [&] { show_progress(problem.name + ": the optimum"); });

@@ -1,18 +1,17 @@
 #include "single_run.hpp"
 
 #include "common/interrupt.hpp"
-#include "common/machine.hpp"
-#include "common/newton_report.hpp"
 #include "common/scene_input.hpp"
 #include "common/terminal.hpp"
+#include "common/threads.hpp"
 
 #include <isostretch/baselines/distortion.hpp>
+#include <isostretch/comparison/machine.hpp>
 #include <isostretch/comparison/method_scene.hpp>
+#include <isostretch/comparison/method_summary.hpp>
 #include <isostretch/comparison/problem.hpp>
 #include <isostretch/core/choice_names.hpp>
 #include <isostretch/core/text.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <string_view>
@@ -62,18 +61,6 @@ newton::Summary minimize(const SingleRun& run, const Problem& problem, Vector& x
   return summary;
 }
 
-Json summary_json(const SingleRun& run, const Problem& problem, const newton::Summary& summary,
-                  const Vector& x) {
-  Json json{{"problem", problem.name}, {"method", run.method}};
-  json.update(solve_json(summary));
-  json.update({{"failed", newton::failed(summary.status)},
-               {"seconds", phases_json(summary.seconds)},
-               {"flips", problem.flips(x)},
-               {"facts", Json::parse(problem.facts.to_json())},
-               {"machine", machine_json()}});
-  return json;
-}
-
 ExitCode exit_code(const newton::Summary& summary) {
   if (newton::failed(summary.status)) return ExitCode::solver_failed;
   return summary.converged() ? ExitCode::success : ExitCode::not_converged;
@@ -89,7 +76,8 @@ ExitCode run_single(const SingleRun& run, const scene::Value& scene, const fs::p
       with_error_kind(ErrorKind::unsolved, [&] { return minimize(run, problem, x); });
   folder.add("trace.csv", to_csv(newton::trace_table(summary)));
   folder.add("positions.bin", bytes_of(x));
-  folder.add_json("summary.json", summary_json(run, problem, summary, x));
+  folder.add("summary.json", comparison::method_summary(problem, run.method, summary, x,
+                                                        comparison::machine_record(thread_count())));
   folder.commit();
   print(summary.brief_report() + "\n");
   return exit_code(summary);

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <isostretch/core/output_folder.hpp>
 #include <isostretch/scene/comparison_limits.hpp>
 #include <isostretch/scene/value.hpp>
 #include "common/exit_code.hpp"
-#include "common/output_folder.hpp"
 
 #include <isostretch/scene/value.hpp>
 

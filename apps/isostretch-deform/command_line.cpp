@@ -45,7 +45,7 @@ void CommandLine::declare_files(CLI::App& cli) {
   restart->excludes(cli.get_option("--check"))->excludes(cli.get_option("--preview"));
   cli.add_option("--stop-after", stop_after_,
                  "End this run after so many frames, to go on with --restart later")
-      ->check(whole_number_between(0, 1'000'000))
+      ->check(in_range(between(0, 1'000'000), true))
       ->type_name("N");
   repair_flags_.declare(cli);
   option_flags_.declare_key(cli, "format");
@@ -62,12 +62,12 @@ void CommandLine::declare_scene(CLI::App& cli) {
   cli.add_option("--young", young_,
                  "Young's modulus: how stiff the material is. With --poisson it sets the parameters of an "
                  "energy that is a material")
-      ->check(positive())
+      ->check(in_range(above(0), false))
       ->type_name("E");
   cli.add_option(
          "--poisson", poisson_,
          "Poisson's ratio: how much the material thins when it is stretched; near 0.5 it keeps its volume")
-      ->check(number_between(-1.0, 0.5))
+      ->check(in_range(between(-1.0, 0.5), false))
       ->type_name("NU");
   cli.add_option("--handle", handles_, scene::handle_help(scene::Holding::hard))
       ->allow_extra_args(false)

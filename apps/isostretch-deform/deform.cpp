@@ -1,11 +1,8 @@
 #include "deform.hpp"
 
-#include "common/animation.hpp"
-#include "common/check_report.hpp"
 #include "common/monitor.hpp"
-#include "common/preview.hpp"
+#include "common/results.hpp"
 #include "common/scene_input.hpp"
-#include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "common/threads.hpp"
 #include "common/timed.hpp"
@@ -15,6 +12,7 @@
 #include <isostretch/core/timer.hpp>
 #include <isostretch/deformation/handle_misses.hpp>
 #include <isostretch/deformation/solid_check.hpp>
+#include <isostretch/figures/animation.hpp>
 #include <isostretch/figures/solid_figure.hpp>
 #include <isostretch/reports/sequence_report.hpp>
 #include <isostretch/scene/pipelines.hpp>
@@ -195,7 +193,7 @@ class Job {
   }
 
   void add_glb(OutputFolder& folder) {
-    const std::string told = app::add_glb(folder, animation_, "deform");
+    const std::string told = figures::add_glb(folder, animation_, "deform");
     if (!told.empty()) add_warning(told);
   }
 

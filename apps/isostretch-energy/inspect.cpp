@@ -1,9 +1,9 @@
 #include "inspect.hpp"
 
-#include "common/output_folder.hpp"
-#include "common/sequence_report.hpp"
+#include "common/results.hpp"
 #include "common/terminal.hpp"
 
+#include <isostretch/core/output_folder.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/expressions/expression.hpp>
 #include <isostretch/figures/energy_maps.hpp>

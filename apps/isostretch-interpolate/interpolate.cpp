@@ -1,16 +1,15 @@
 #include "interpolate.hpp"
 
-#include "common/animation.hpp"
-#include "common/check_report.hpp"
 #include "common/monitor.hpp"
+#include "common/results.hpp"
 #include "common/scene_input.hpp"
-#include "common/sequence_report.hpp"
 #include "common/terminal.hpp"
 #include "common/threads.hpp"
 #include "common/timed.hpp"
 
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/timer.hpp>
+#include <isostretch/figures/animation.hpp>
 #include <isostretch/figures/solid_figure.hpp>
 #include <isostretch/reports/interpolation_report.hpp>
 #include <isostretch/scene/energy.hpp>
@@ -136,7 +135,7 @@ class Job {
   }
 
   void add_glb(OutputFolder& folder) {
-    std::string told = app::add_glb(folder, animation_, "interpolation");
+    std::string told = figures::add_glb(folder, animation_, "interpolation");
     if (!told.empty()) warn_of(std::move(told));
   }
 

@@ -60,7 +60,7 @@ void CommandLine::declare_files(CLI::App& cli) {
       ->type_name("FILE");
   cli.add_option("--refine", refine_,
                  "Make a generated body finer: so many times the cells in every direction")
-      ->check(whole_number_between(1, 10'000))
+      ->check(in_range(between(1, 10'000), true))
       ->type_name("K");
   cli.add_option("--weights-cache", weights_cache_,
                  "Keep handle weights in that folder, and take them from it: further runs with the same body "
@@ -103,15 +103,15 @@ void CommandLine::declare_rivals(CLI::App& cli) {
   cli.add_option("--repetitions", repetitions_,
                  "Run each solver of --compare so many times; the median counts")
       ->needs(compare)
-      ->check(whole_number_between(1, 1000))
+      ->check(in_range(between(1, 1000), true))
       ->type_name("N")
       ->default_str("1");
   cli.add_option("--memory-limit", memory_limit_,
                  "End a rival, of --rival or --compare, that takes more megabytes; 0: no limit")
-      ->check(not_negative())
+      ->check(in_range(at_least(0), false))
       ->type_name("MB");
   cli.add_option("--time-limit", time_limit_, "Stop after so many seconds; 0: no limit")
-      ->check(not_negative())
+      ->check(in_range(at_least(0), false))
       ->type_name("SECONDS");
 }
 
@@ -122,7 +122,7 @@ void CommandLine::declare_photo(CLI::App& cli) {
       ->type_name("FILE");
   cli.add_option("--photo-cells", photo_cells_,
                  "Make the mesh: a grid over the picture, so many cells along its longer side")
-      ->check(whole_number_between(1, 100'000))
+      ->check(in_range(between(1, 100'000), true))
       ->type_name("N");
   cli.add_option("--photo-fit", photo_fit_,
                  "How the picture lies on the mesh: filling its box, or one unit a pixel: " +

@@ -1,13 +1,13 @@
 #include "parameterize.hpp"
 
 #include "common/monitor.hpp"
-#include "common/output_folder.hpp"
 #include "common/terminal.hpp"
 #include "common/threads.hpp"
 #include "common/timed.hpp"
 #include "input.hpp"
 #include "uv_file.hpp"
 
+#include <isostretch/core/output_folder.hpp>
 #include <isostretch/core/timer.hpp>
 #include <isostretch/figures/parameterization_figures.hpp>
 #include <isostretch/reports/parameterization_report.hpp>

@@ -3,6 +3,7 @@
 #include <isostretch/core/text.hpp>
 #include <isostretch/figures/html.hpp>
 #include <isostretch/figures/report_style.hpp>
+#include <isostretch/reports/json_text.hpp>
 
 namespace isostretch::comparison {
 
@@ -62,17 +63,17 @@ std::string pictures(const std::string& states, const std::string& path) {
 }  // namespace
 
 std::string report_page(const ManipulationReport& r, const ManipulationSeconds& seconds,
-                        const std::string& states, const std::string& path, const std::string& preview,
-                        const std::string& handles) {
+                        const std::string& states, const std::string& path, const std::string& preview) {
   const Json summary = summary_json(r, seconds, 1);
-  const bool good = r.status() == ManipulationStatus::success;
+  const bool good = r.status() == reports::RunStatus::success;
   std::string body = html::block("h1", html::escaped(r.name));
   body += html::block("p", html::escaped(html::sentence(r.verdict())),
                       good ? "class=\"verdict\"" : "class=\"verdict bad\"");
   body += html::warnings(r.warnings) + pictures(states, path) + preview;
   body += html::block("h2", "Frames") + frame_table(summary.at("frames"));
   if (r.last.positions.size() > 0)
-    body += html::block("h2", formatted("Handles, frame %d", r.last.frame)) + handles;
+    body += html::block("h2", formatted("Handles, frame %d", r.last.frame)) +
+            reports::handle_table(summary.at("handles").dump(), reports::misses_json(r.misses(r.last)));
   body += html::block("h2", "Problem") + fact_table(r, summary);
   body += html::block("footer", "isostretch-manipulate " + summary.at("version").get<std::string>());
   return html::page(r.name + ", manipulated", html::report_style, body);

@@ -3,8 +3,8 @@
 #include <isostretch/core/isa.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/core/version.hpp>
-#include <isostretch/deformation/handle_misses.hpp>
 #include <isostretch/deformation/isotropic_stretch.hpp>
+#include <isostretch/reports/json_text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -169,7 +169,7 @@ StrainedShape ManipulationReport::shape(const deformation::Strain& strain,
 }
 
 void ManipulationReport::add(const ManipulationFrame& frame, const StrainedShape& before,
-                             const StrainedShape& after, const std::string& file, const Record& misses) {
+                             const StrainedShape& after, const std::string& file) {
   Json json{{"frame", frame.frame}, {"time", frame.time}};
   if (frame.made()) json["file"] = file;
   json.update(frame.rival ? rival_json(scene.rival, *frame.rival) : solve_json(body, frame.summary));
@@ -182,7 +182,7 @@ void ManipulationReport::add(const ManipulationFrame& frame, const StrainedShape
     json.update(strain_json(after.strain));
     json["not_psd"] = after.indefinite;
     json["min_eigenvalue"] = least(after.eigenvalues);
-    json["handles"] = json_of(misses);
+    json["handles"] = Json::parse(reports::misses_json(misses(frame)));
     json["nearly_flat"] = nearly_flat_json(body, after.strain);
   } else {
     if (!frame.rival) {
@@ -218,14 +218,17 @@ std::vector<std::string> ManipulationReport::last_warnings(const deformation::St
   std::vector<std::string> texts;
   if (last.positions.size() == 0) return texts;
   const std::string frame = formatted("frame %d: ", last.frame);
-  for (const std::string& text : deformation::miss_warnings(
-           deformation::handle_misses(handle_set, last.time, body.dim, last.positions), body.diagonal()))
+  for (const std::string& text : deformation::miss_warnings(misses(last), body.diagonal()))
     texts.push_back(frame + text);
   const StrainField field = strain.at(last.positions);
   const std::string flat =
       deformation::nearly_flat_text(deformation::nearly_flat_elements(field), field, body);
   if (!flat.empty()) texts.push_back(frame + flat + "; --margin keeps elements from it");
   return texts;
+}
+
+std::vector<deformation::HandleMiss> ManipulationReport::misses(const ManipulationFrame& frame) const {
+  return deformation::handle_misses(handle_set, frame.time, body.dim, frame.positions);
 }
 
 std::vector<std::pair<std::string, double>> ManipulationReport::files() const {
@@ -236,10 +239,10 @@ std::vector<std::pair<std::string, double>> ManipulationReport::files() const {
   return all;
 }
 
-ManipulationStatus ManipulationReport::status() const {
-  if (inverted(*this) > 0 || failed(*this) > 0) return ManipulationStatus::failed;
-  return !stopped && not_reached(*this) == 0 ? ManipulationStatus::success
-                                             : ManipulationStatus::not_converged;
+reports::RunStatus ManipulationReport::status() const {
+  if (inverted(*this) > 0 || failed(*this) > 0) return reports::RunStatus::failed;
+  return !stopped && not_reached(*this) == 0 ? reports::RunStatus::success
+                                             : reports::RunStatus::not_converged;
 }
 
 std::string ManipulationReport::verdict() const {
@@ -266,9 +269,7 @@ std::string ManipulationReport::verdict() const {
                                  ? "all frames are certified, no element is inverted"
                                  : "all frames are solved by " + r.scene.rival + ", no element is inverted";
     if (r.last.positions.size() == 0) return good;
-    const std::string miss = deformation::largest_miss_text(
-        deformation::handle_misses(r.handle_set, r.last.time, r.body.dim, r.last.positions),
-        r.body.diagonal());
+    const std::string miss = deformation::largest_miss_text(misses(r.last), r.body.diagonal());
     return miss.empty() ? good : good + "; " + miss;
   }
   std::string text;

@@ -1,6 +1,7 @@
 #include <isostretch/figures/animation.hpp>
 
 #include <isostretch/core/base64.hpp>
+#include <isostretch/core/error.hpp>
 #include <isostretch/core/text.hpp>
 #include <isostretch/figures/html.hpp>
 #include <isostretch/figures/solid_figure.hpp>
@@ -104,6 +105,17 @@ std::string Animation::preview() const {
   if (chosen.size() < states_.size())
     caption += formatted(" %zu of %zu frames are shown.", chosen.size(), states_.size());
   return html::block("figure", content + player + html::element("figcaption", html::escaped(caption)));
+}
+
+std::string add_glb(OutputFolder& folder, const Animation& animation, const std::string& name) {
+  const std::string file = animation.glb_name(name);
+  if (file.empty()) return name + ".glb is not written: this run has made no frame";
+  try {
+    folder.add(file, animation.glb());
+  } catch (const Error& error) {
+    return file + " is not written: " + error.what();
+  }
+  return animation.glb_notice(file);
 }
 
 }  // namespace isostretch::figures

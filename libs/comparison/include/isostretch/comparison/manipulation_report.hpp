@@ -3,7 +3,9 @@
 #include <isostretch/comparison/manipulation_frame.hpp>
 #include <isostretch/comparison/record.hpp>
 #include <isostretch/core/trace.hpp>
+#include <isostretch/deformation/handle_misses.hpp>
 #include <isostretch/deformation/strain.hpp>
+#include <isostretch/reports/run_status.hpp>
 #include <isostretch/scene/manipulation_scene.hpp>
 
 #include <string>
@@ -25,14 +27,7 @@ struct ManipulationSeconds {
 struct StrainedShape {
   deformation::StrainField strain;  ///< Strain of the elements.
   std::vector<double> eigenvalues;  ///< The least eigenvalue of S of every element.
-  int indefinite = 0;               ///< elements with one below the margin
-};
-
-/// How the work on all frames has ended.
-enum class ManipulationStatus {
-  success,        ///< all frames are as they should be
-  not_converged,  ///< a frame is missing, or not at its goal
-  failed          ///< a frame failed, or has inverted elements
+  int indefinite = 0;               ///< Elements with one below the margin
 };
 
 /// A manipulation with what came of it: all that reports say, frame by frame.
@@ -42,12 +37,12 @@ struct ManipulationReport {
   const deformation::HandleSet& handle_set;        ///< Its handles.
   const deformation::ElementRotations& rotations;  ///< Ex-rotations of its elements.
   std::string name;                                ///< Name of the scene, or of the body.
-  bool stopped = false;                            ///< whether frames are missing
-  std::string message = {};                        ///< why it was stopped
-  int wanted = 0;                                  ///< frames
+  bool stopped = false;                            ///< Whether frames are missing
+  std::string message = {};                        ///< Why it was stopped
+  int wanted = 0;                                  ///< Frames that were asked for.
   std::vector<Record> frames = {};                 ///< The frames in summary.json.
-  Trace trace = {};                                ///< trace.csv
-  ManipulationFrame last = {};                     ///< the last frame that has positions
+  Trace trace = {};                                ///< The iterations in trace.csv.
+  ManipulationFrame last = {};                     ///< The last frame that has positions
   std::vector<std::string> warnings = {};          ///< Warnings that were given.
 
   /// Returns how it strains the body where the elements are rotated so and the nodes are at `positions`.
@@ -56,10 +51,10 @@ struct ManipulationReport {
 
   /// Adds the body at rest, which is in that file.
   void add_rest(const deformation::StrainField& strain, const std::string& file);
-  /// Adds a frame: `before`, by the unconstrained minimiser, `after` and `misses`, how far handles are from
-  /// where they are to be, are not looked at where it has no positions.
+  /// Adds a frame: `before`, by the unconstrained minimiser, and `after` are not looked at where it has no
+  /// positions.
   void add(const ManipulationFrame& frame, const StrainedShape& before, const StrainedShape& after,
-           const std::string& file, const Record& misses);
+           const std::string& file);
 
   /// Returns what came of a frame that has positions, in one line.
   std::string frame_text(const ManipulationFrame& frame, const StrainedShape& before,
@@ -68,10 +63,12 @@ struct ManipulationReport {
   /// be, and elements that are nearly flat.
   std::vector<std::string> last_warnings(const deformation::Strain& strain) const;
 
+  /// Returns how far the handles of a frame are from where they are to be.
+  std::vector<deformation::HandleMiss> misses(const ManipulationFrame& frame) const;
   /// Returns the files of frames with their times.
   std::vector<std::pair<std::string, double>> files() const;
   /// Returns how it ended.
-  ManipulationStatus status() const;
+  reports::RunStatus status() const;
   /// Returns what went wrong or well, in one line.
   std::string verdict() const;
 };
@@ -80,9 +77,8 @@ struct ManipulationReport {
 std::string summary_text(const ManipulationReport& report, const ManipulationSeconds& seconds, int threads);
 
 /// Returns a page of HTML that needs nothing else. `states` and `path` are pictures as PNG, or empty;
-/// `preview` and `handles` parts of the page.
+/// `preview` is a part of the page.
 std::string report_page(const ManipulationReport& report, const ManipulationSeconds& seconds,
-                        const std::string& states, const std::string& path, const std::string& preview,
-                        const std::string& handles);
+                        const std::string& states, const std::string& path, const std::string& preview);
 
 }  // namespace isostretch::comparison

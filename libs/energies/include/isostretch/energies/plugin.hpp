@@ -13,6 +13,7 @@
 #include <isostretch/core/version.hpp>
 #include <isostretch/energies/registry.hpp>
 
+#include <string>
 #include <vector>
 
 namespace isostretch::energies {
@@ -31,6 +32,10 @@ template <class... Energies>
 std::vector<EnergyEntry> entries_of() {
   return {entry_of<Energies>()...};
 }
+
+/// Adds the energies of a plug-in to the registry; its library stays loaded. Throws Error naming the file
+/// where that is none, or one of another version, or a name is taken.
+void load_plugin(const std::string& file);
 
 }  // namespace isostretch::energies
 

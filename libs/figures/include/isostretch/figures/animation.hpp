@@ -1,5 +1,6 @@
 #pragma once
 
+#include <isostretch/core/output_folder.hpp>
 #include <isostretch/deformation/solid_model.hpp>
 #include <isostretch/deformation/strain.hpp>
 #include <isostretch/figures/deformation_figure.hpp>
@@ -49,5 +50,9 @@ class Animation {
   std::vector<int> numbers_;
   std::vector<DeformedState> states_;
 };
+
+/// Adds NAME.glb to the folder, the frames as morph targets. Returns what is to be told: which frames those
+/// are, or why there is no file; empty where it holds all.
+std::string add_glb(OutputFolder& folder, const Animation& animation, const std::string& name);
 
 }  // namespace isostretch::figures

@@ -1,13 +1,10 @@
-#include "common/output_folder.hpp"
-
-#include "common/exit_code.hpp"
-
-#include <nlohmann/json.hpp>
+#include <isostretch/core/error.hpp>
+#include <isostretch/core/output_folder.hpp>
 
 #include <algorithm>
 #include <utility>
 
-namespace isostretch::app {
+namespace isostretch {
 namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(fs::path folder) : folder_(std::move(folder)) {
@@ -66,11 +63,6 @@ void OutputFolder::write_now(const std::string& name, std::string_view content) 
   });
 }
 
-void OutputFolder::add_json(const std::string& name, const Json& json) {
-  // A path that is not UTF-8 must not keep the results from being written.
-  add(name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-}
-
 void OutputFolder::commit() {
   with_error_kind(ErrorKind::resource, [this] {
     for (auto& file : files_) file->commit();
@@ -78,4 +70,4 @@ void OutputFolder::commit() {
   committed_ = true;
 }
 
-}  // namespace isostretch::app
+}  // namespace isostretch

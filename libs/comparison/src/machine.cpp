@@ -1,11 +1,8 @@
-#include "common/machine.hpp"
+#include "json.hpp"
 
-#include "common/threads.hpp"
-
+#include <isostretch/comparison/machine.hpp>
 #include <isostretch/core/isa.hpp>
 #include <isostretch/core/version.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <cstdlib>
@@ -17,7 +14,7 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
-namespace isostretch::app {
+namespace isostretch::comparison {
 namespace {
 
 std::string processor() {
@@ -57,17 +54,17 @@ Json environment() {
 
 }  // namespace
 
-Json machine_json() {
-  return {{"processor", processor()},
-          {"cores", std::thread::hardware_concurrency()},
-          {"memory_megabytes", megabytes_of_memory()},
-          {"system", system_name()},
-          {"compiler", compiler()},
-          {"flags", ISOSTRETCH_BUILD_FLAGS},
-          {"version", version_string},
-          {"instruction_set", isa_name(active_isa())},
-          {"threads", thread_count()},
-          {"environment", environment()}};
+Record machine_record(int threads) {
+  return record_of({{"processor", processor()},
+                    {"cores", std::thread::hardware_concurrency()},
+                    {"memory_megabytes", megabytes_of_memory()},
+                    {"system", system_name()},
+                    {"compiler", compiler()},
+                    {"flags", ISOSTRETCH_BUILD_FLAGS},
+                    {"version", version_string},
+                    {"instruction_set", isa_name(active_isa())},
+                    {"threads", threads},
+                    {"environment", environment()}});
 }
 
 std::string date_text() {
@@ -78,4 +75,4 @@ std::string date_text() {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S UTC", &parts)};
 }
 
-}  // namespace isostretch::app
+}  // namespace isostretch::comparison

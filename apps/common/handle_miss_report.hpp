@@ -1,3 +1,0 @@
-#pragma once
-
-#include "common/report_json.hpp"
