@@ -3,6 +3,9 @@
 #include <isostretch/core/error.hpp>
 #include <isostretch/core/isa.hpp>
 #include <isostretch/core/log.hpp>
+#include <isostretch/core/numbers.hpp>
+#include <isostretch/core/output_folder.hpp>
+#include <isostretch/core/to_text.hpp>
 #include <isostretch/core/version.hpp>
 
 #include <doctest/doctest.h>
@@ -95,4 +98,40 @@ TEST_CASE("atomic file: a full disk is an error, not a short file") {
 TEST_CASE("version: one string, made of its parts") {
   CHECK(std::string(version_string) == std::to_string(version_major) + "." + std::to_string(version_minor) +
                                            "." + std::to_string(version_patch));
+}
+
+TEST_CASE("numbers are taken whole or not at all") {
+  CHECK(finite_number("-1.5e3") == -1500);
+  CHECK(finite_number("+2") == 2);
+  for (const char* text : {"", "1x", " 1", "nan", "inf", "1e400", "+-1", "0x10", "1,5"})
+    CHECK_MESSAGE(!finite_number(text), text);
+  CHECK(whole_number("12") == 12);
+  for (const char* text : {"", "1.0", "99999999999", "1e3"})
+    CHECK_MESSAGE(!whole_number(text), text);
+  CHECK(split("a,,b", ',') == std::vector<std::string>{"a", "", "b"});
+  CHECK(std::stod(to_text(0.1 + 0.2)) == 0.1 + 0.2);
+}
+
+TEST_CASE("an output folder is filled at once or not at all") {
+  const fs::path scratch = fs::temp_directory_path() / ("isostretch_folder_" + std::to_string(::getpid()));
+  {
+    OutputFolder folder(scratch / "b");
+    folder.add("one", "text");
+  }
+  CHECK_FALSE(fs::exists(scratch));
+  OutputFolder folder(scratch / "b/");
+  folder.add("one", "text");
+  CHECK_FALSE(fs::exists(scratch / "b/one"));
+  folder.commit();
+  CHECK(fs::file_size(scratch / "b/one") == 4);
+  CHECK(folder.paths() == std::vector<fs::path>{scratch / "b/one"});
+  {
+    OutputFolder other(scratch / "c");
+    other.write_now("two", "at once");
+    other.add("three", "never");
+  }
+  CHECK(fs::exists(scratch / "c/two"));
+  CHECK_FALSE(fs::exists(scratch / "c/three"));
+  CHECK_THROWS_WITH_AS(OutputFolder(scratch / "b/one"), doctest::Contains("is not a folder"), Error);
+  fs::remove_all(scratch);
 }
