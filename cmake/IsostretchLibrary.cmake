@@ -7,7 +7,10 @@ include(IsostretchTests)
 
 set(ISOSTRETCH_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/isostretch)
 # Apps of a shared build find the libraries wherever both are moved together; libraries set their own below.
-set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}" "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}/isostretch")
+# Solvers that are loaded when they are asked for.
+set(ISOSTRETCH_MODULE_DIR ${PROJECT_BINARY_DIR}/modules)
+set(CMAKE_BUILD_RPATH ${ISOSTRETCH_MODULE_DIR})
 define_property(GLOBAL PROPERTY ISOSTRETCH_COMPONENTS BRIEF_DOCS "components in dependency order")
 define_property(GLOBAL PROPERTY ISOSTRETCH_FEATURES BRIEF_DOCS "lines of the configure summary")
 
@@ -154,8 +157,9 @@ function(isostretch_finalize_package)
     install(FILES ${PROJECT_BINARY_DIR}/isostretchConfig.cmake ${PROJECT_BINARY_DIR}/isostretchConfigVersion.cmake
       DESTINATION ${ISOSTRETCH_PACKAGE_DIR} COMPONENT ${component})
   endforeach()
-  # Find modules for dependencies that ship no CMake package of their own.
+  # Find modules for dependencies that ship no CMake package of their own. Nobody links what is in modules of ours.
   file(GLOB find_modules ${PROJECT_SOURCE_DIR}/cmake/Find*.cmake)
+  list(FILTER find_modules EXCLUDE REGEX "Ipopt|NLopt")
   install(FILES ${find_modules} DESTINATION ${ISOSTRETCH_PACKAGE_DIR} COMPONENT sparse)
   file(COPY ${find_modules} DESTINATION ${PROJECT_BINARY_DIR})
 endfunction()

@@ -10,9 +10,11 @@ import unittest
 
 import check_dependencies
 import check_kernel_symbols
+import check_linked
 import check_owned_vectors
 import check_reference
 import check_silence
+import check_sizes
 import libraries
 
 RULES = libraries.read_rules("""
@@ -153,6 +155,29 @@ class KernelSymbols(unittest.TestCase):
             names = [name for _, name in check_kernel_symbols.demangled_symbols(path)
                      if not check_kernel_symbols.belongs_to("v4", name)]
         self.assertEqual(names, ["leaked(int)"])
+
+
+class Sizes(unittest.TestCase):
+    def test_long_files_and_large_apps_are_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for part in ("libs", "tests", "tools", "apps/small", "apps/large"):
+                (root / part).mkdir(parents=True)
+            (root / "apps/small/main.cpp").write_text("\n" * 400)
+            for name in "ab":
+                (root / "apps/large" / f"{name}.cpp").write_text("\n" * 301)
+            (root / "libs/x.hpp").write_text("\n" * 401)
+            self.assertEqual(check_sizes.long_files(root), (["libs/x.hpp has 401 lines, more than 400"], 4))
+            faults = check_sizes.large_apps(root)
+            self.assertEqual(len(faults), 1)
+            self.assertIn("apps/large has 602 lines", faults[0])
+
+
+class Linked(unittest.TestCase):
+    def test_rivals_are_named(self):
+        listing = "\tlinux-vdso.so.1 (0x1)\n\tlibipopt.so.1 => /usr/lib/libipopt.so.1 (0x2)\n\tlibm.so.6 => x\n"
+        self.assertEqual(check_linked.rivals_in(listing), ["libipopt.so.1"])
+        self.assertEqual(check_linked.rivals_in("\tlibcholmod.so.3 => x\n"), [])
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #include "deformation.hpp"
 
 #include <isostretch/assembly/deformation_operator.hpp>
+#include <isostretch/sdp_penalty/isotropic_stretch.hpp>
 
 #include <cstddef>
 
@@ -14,17 +15,9 @@ std::vector<double> deformation_gradients(const assembly::Elements& elements, co
 }
 
 std::vector<double> constraint_matrices(const sdp_penalty::Problem& problem, const std::vector<double>& F) {
-  const auto count = static_cast<std::size_t>(problem.element_count()),
-             dim = static_cast<std::size_t>(problem.dim());
-  std::vector<double> S(F.size(), 0.0);
-  for (std::size_t e = 0; e < count; ++e) {
-    const double* R = problem.rotations.data() + e * dim * dim;
-    for (std::size_t i = 0; i < dim; ++i)
-      for (std::size_t j = 0; j < dim; ++j)
-        for (std::size_t k = 0; k < dim; ++k)
-          S[(i + dim * j) * count + e] += 0.5 * (R[k + dim * i] * F[(k + dim * j) * count + e] +
-                                                 R[k + dim * j] * F[(k + dim * i) * count + e]);
-  }
+  const auto count = static_cast<std::size_t>(problem.element_count());
+  std::vector<double> S(F.size());
+  sdp_penalty::isotropic_stretches(problem.dim(), count, problem.rotations.data(), F.data(), S.data(), count);
   return S;
 }
 

@@ -1,12 +1,10 @@
-#include "ipopt_solvers.hpp"
-
-#include "ipopt_nlp.hpp"
+// Ipopt on the principal minors and on cones, in the table also where this is built without it.
+#include "constrained_program.hpp"
+#include "registry.hpp"
+#include "solver_module.hpp"
 #include "unconstrained.hpp"
 
-#include <IpIpoptApplication.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -22,65 +20,28 @@ std::vector<double> unknowns_from(const sdp_penalty::Problem& problem, const Vec
   return unknowns;
 }
 
-std::pair<Status, std::string> outcome_of(Ipopt::ApplicationReturnStatus status) {
-  switch (status) {
-    case Ipopt::Solve_Succeeded:
-      return {Status::converged, "optimal"};
-    case Ipopt::Solved_To_Acceptable_Level:
-      return {Status::converged, "optimal to Ipopt's acceptable level, not to the tolerance"};
-    case Ipopt::Infeasible_Problem_Detected:
-      return {Status::claims_infeasible, "converged to a point of local infeasibility"};
-    case Ipopt::Search_Direction_Becomes_Too_Small:
-      return {Status::stalled, "the search direction became too small"};
-    case Ipopt::Diverging_Iterates:
-      return {Status::stalled, "the iterates diverge"};
-    case Ipopt::Restoration_Failed:
-      return {Status::stalled, "the restoration phase failed"};
-    case Ipopt::Error_In_Step_Computation:
-      return {Status::stalled, "no step could be computed"};
-    case Ipopt::Feasible_Point_Found:
-      return {Status::stalled, "it found no more than a feasible point"};
-    case Ipopt::Maximum_Iterations_Exceeded:
-      return {Status::iteration_limit, "the largest number of iterations is reached"};
-    case Ipopt::Maximum_CpuTime_Exceeded:
-      return {Status::time_limit, "the time limit is reached"};
-    case Ipopt::Insufficient_Memory:
-      return {Status::memory_limit, "out of memory"};
-    default:
-      return {Status::failed, "Ipopt ended with code " + std::to_string(status)};
-  }
-}
-
-Ipopt::ApplicationReturnStatus optimize(const Ipopt::SmartPtr<Ipopt::TNLP>& nlp, const Options& options,
-                                        const Recorder& recorder) {
-  // Without a console.
-  const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
-  application->RethrowNonIpoptException(true);
-  const auto& list = application->Options();
-  list->SetNumericValue("tol", options.tolerance);
-  // Measured: the monotone barrier of the default never ends on a stretched bar. Bounds relaxed by 1e-8, its
-  // default, let eigenvalues be -1e-4 where two of an element's are small.
-  list->SetStringValue("mu_strategy", "adaptive");
-  list->SetNumericValue("bound_relax_factor", 0);
-  list->SetStringValue("sb", "yes");
-  list->SetIntegerValue("print_level", 0);
-  if (options.limits.iterations > 0)  // Of both phases together.
-    list->SetIntegerValue("max_iter", std::max(0, options.limits.iterations - recorder.iterations()));
-  const Ipopt::ApplicationReturnStatus status = application->Initialize("");
-  return status == Ipopt::Solve_Succeeded ? application->OptimizeTNLP(nlp) : status;
+// The iterations are those of both phases together.
+ProgramOutcome optimize(ConstrainedProgram& program, const Options& options, Recorder& recorder) {
+  ProgramOptions limits;
+  limits.tolerance = options.tolerance;
+  if (options.limits.iterations > 0)
+    limits.iterations = std::max(0, options.limits.iterations - recorder.iterations());
+  ProgramOutcome outcome;
+  load_solver("isostretch_ipopt", "isostretch_solve_by_ipopt")(program, limits, outcome);
+  recorder.result().iterations += std::max(0, program.last_iteration());
+  return outcome;
 }
 
 Vector optimize_energy(const Instance& instance, ConstraintForm form, const Vector& start,
                        const Options& options, Recorder& recorder) {
   const EnergyObjective objective(instance.problem);
   const ConstraintFunctions constraints(instance.problem, form);
-  const Ipopt::SmartPtr<IpoptNlp> nlp = new IpoptNlp(instance, objective, constraints, recorder);
-  nlp->start_at(unknowns_from(instance.problem, start, false));
+  ConstrainedProgram program(instance, objective, constraints, recorder);
+  program.start_at(unknowns_from(instance.problem, start, false));
   recorder.begin(Phase::solving);
-  const auto [status, message] = outcome_of(optimize(Ipopt::GetRawPtr(nlp), options, recorder));
+  const auto [status, message] = optimize(program, options, recorder);
   recorder.end(status, message);
-  recorder.result().iterations += nlp->iterations();
-  return nlp->positions();
+  return program.positions();
 }
 
 // weight / 2 |x - x0|^2: what keeps the search for a feasible position near.
@@ -117,37 +78,51 @@ Vector feasible_position(const Instance& instance, const Options& options, Recor
   const double size = extent(instance.rest, instance.dim());
   const Nearness objective(start, 0.02 / (size * size * instance.problem.node_count()));
   const ConstraintFunctions constraints(instance.problem, ConstraintForm::principal_minors, true);
-  const Ipopt::SmartPtr<IpoptNlp> nlp = new IpoptNlp(instance, objective, constraints, recorder);
-  nlp->start_at(unknowns_from(instance.problem, start, true));
-  nlp->look_for_shift(enough, most);
-  const auto [status, message] = outcome_of(optimize(Ipopt::GetRawPtr(nlp), options, recorder));
-  recorder.result().iterations += nlp->iterations();
-  if (!nlp->has_enough() && !(status == Status::converged && nlp->shift() > 0))
+  ConstrainedProgram program(instance, objective, constraints, recorder);
+  program.start_at(unknowns_from(instance.problem, start, true));
+  program.look_for_shift(enough, most);
+  const auto [status, message] = optimize(program, options, recorder);
+  if (!program.has_enough() && !(status == Status::converged && program.shift() > 0))
     recorder.end(status == Status::converged ? Status::stalled : status,
                  "in search of a feasible start, and found none: " + message);
-  return nlp->positions();
+  return program.positions();
 }
 
-}  // namespace
-
-Vector run_ipopt(const Instance& instance, const Options& options, Recorder& recorder) {
+// From the minimiser without constraints.
+Vector run_minors(const Instance& instance, const Options& options, Recorder& recorder) {
   return optimize_energy(instance, ConstraintForm::principal_minors, skinned(instance.problem), options,
                          recorder);
 }
 
-Vector run_ipopt_feasible(const Instance& instance, const Options& options, Recorder& recorder) {
+// From a strictly feasible position, which it looks for itself: the time is one of modelling.
+Vector run_feasible(const Instance& instance, const Options& options, Recorder& recorder) {
   const Vector start = feasible_position(instance, options, recorder);
   if (recorder.ended()) return start;
   return optimize_energy(instance, ConstraintForm::principal_minors, start, options, recorder);
 }
 
-Vector run_ipopt_cone(const Instance& instance, const Options& options, Recorder& recorder) {
+// On the second-order cones of 2D.
+Vector run_cone(const Instance& instance, const Options& options, Recorder& recorder) {
   if (instance.dim() != 2) {
     recorder.end(Status::not_applicable, "only matrices of two rows are second-order cones");
     return {};
   }
   return optimize_energy(instance, ConstraintForm::second_order_cone, skinned(instance.problem), options,
                          recorder);
+}
+
+}  // namespace
+
+std::vector<Entry> ipopt_solvers() {
+#if defined(ISOSTRETCH_WITH_IPOPT)
+  const std::string needs;
+#else
+  const std::string needs = "isostretch was built without Ipopt (Debian: coinor-libipopt-dev)";
+#endif
+  constexpr std::string_view source = "Waechter, Biegler 2006: filter line search, interior point";
+  return {{{"ipopt", "Ipopt", source, Kind::convex, needs}, run_minors},
+          {{"ipopt_feasible", "Ipopt, feasible start", source, Kind::convex, needs}, run_feasible},
+          {{"ipopt_cone", "Ipopt, cones", source, Kind::convex, needs}, run_cone}};
 }
 
 }  // namespace isostretch::baselines

@@ -1,4 +1,5 @@
 #include "registry.hpp"
+#include "solver_module.hpp"
 
 #include <isostretch/baselines/solver.hpp>
 #include <isostretch/core/error.hpp>
@@ -64,6 +65,8 @@ Result solve(std::string_view solver, const Instance& instance, const Options& o
     x = entry.run(instance, options, recorder);
   } catch (const std::bad_alloc&) {
     recorder.end(Status::memory_limit, "out of memory");
+  } catch (const ModuleError& error) {
+    recorder.end(Status::unavailable, error.what());
   } catch (const std::exception& error) {
     const std::string what = error.what();
     const bool no_memory = what.find("out of memory") != std::string::npos;

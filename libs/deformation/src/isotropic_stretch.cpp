@@ -1,6 +1,7 @@
 #include <isostretch/assembly/deformation_operator.hpp>
 #include <isostretch/deformation/isotropic_stretch.hpp>
 #include <isostretch/linalg/decompositions.hpp>
+#include <isostretch/sdp_penalty/isotropic_stretch.hpp>
 
 #include <algorithm>
 
@@ -15,17 +16,8 @@ std::vector<double> least_eigenvalues(const SolidModel& body, const std::vector<
   for (std::size_t start = 0; start < count; start += chunk) {
     const std::size_t here = std::min(chunk, count - start);
     assembly::deformation_gradients(body.elements, positions.data(), start, here, F.data(), chunk);
-    for (std::size_t n = 0; n < here; ++n) {
-      const double* R = rotations.data() + (start + n) * dim * dim;
-      for (std::size_t i = 0; i < dim; ++i)
-        for (std::size_t j = 0; j < dim; ++j) {
-          double sum = 0;
-          for (std::size_t k = 0; k < dim; ++k)
-            sum +=
-                R[k + dim * i] * F[(k + dim * j) * chunk + n] + R[k + dim * j] * F[(k + dim * i) * chunk + n];
-          S[(i + dim * j) * chunk + n] = 0.5 * sum;
-        }
-    }
+    sdp_penalty::isotropic_stretches(body.dim, here, rotations.data() + start * dim * dim, F.data(), S.data(),
+                                     chunk);
     linalg::symmetric_eigen(body.dim, {S.data(), lambda.data(), nullptr, here, chunk});
     for (std::size_t n = 0; n < here; ++n) {
       result[start + n] = lambda[n];
