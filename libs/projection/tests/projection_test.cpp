@@ -2,6 +2,7 @@
 #include <isostretch/energies/registry.hpp>
 #include <isostretch/projection/eigensystem.hpp>
 #include <isostretch/projection/projection.hpp>
+#include <isostretch/testing/deformation_samples.hpp>
 
 #include <doctest/doctest.h>
 
@@ -12,9 +13,12 @@
 #include <vector>
 
 #include "every_level.hpp"
+#include "numerical.hpp"
 
 using namespace isostretch;
 using projection::Filter;
+using testing::random_rotation;
+using tests::numerical_eigensystem;
 
 namespace {
 
@@ -22,16 +26,6 @@ template <int Dim>
 using MatrixD = Eigen::Matrix<double, Dim, Dim>;
 template <int Dim>
 using Hessian = Eigen::Matrix<double, Dim * Dim, Dim * Dim>;
-
-template <int Dim>
-MatrixD<Dim> random_rotation(std::mt19937& generator) {
-  std::normal_distribution<double> normal;
-  MatrixD<Dim> Q = MatrixD<Dim>(MatrixD<Dim>::NullaryExpr([&] { return normal(generator); }))
-                       .householderQr()
-                       .householderQ();
-  if (Q.determinant() < 0) Q.col(0) *= -1;
-  return Q;
-}
 
 // Stretches of every kind that has broken a projection somewhere: near rest, repeated, opposite, zero,
 // graded.
@@ -61,18 +55,12 @@ std::vector<MatrixD<Dim>> deformations(bool inverted_too) {
   return result;
 }
 
-// Of run-time size: compiled once for both dimensions.
-Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> numerical_eigensystem(const Eigen::MatrixXd& H) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H);
-}
-
-template <int Dim>
-Hessian<Dim> numerically_filtered(const Hessian<Dim>& H, Filter filter, double threshold) {
+Eigen::MatrixXd numerically_filtered(const Eigen::MatrixXd& H, Filter filter, double threshold) {
   const auto eigen = numerical_eigensystem(H);
-  Eigen::Matrix<double, Dim * Dim, 1> lambda = eigen.eigenvalues();
+  Eigen::VectorXd lambda = eigen.values;
   if (filter == Filter::abs) lambda = lambda.cwiseAbs();
   if (filter != Filter::none) lambda = lambda.cwiseMax(threshold);
-  return eigen.eigenvectors() * lambda.asDiagonal() * eigen.eigenvectors().transpose();
+  return eigen.vectors * lambda.asDiagonal() * eigen.vectors.transpose();
 }
 
 template <int Dim>
@@ -92,9 +80,9 @@ void check_filters(const energies::AnyEnergy& energy) {
     for (const Filter filter : {Filter::clamp, Filter::abs})
       for (const double threshold : {0.0, 1e-3}) {
         const auto filtered = projection::evaluate<Dim>(energy, F, {filter, threshold});
-        const Hessian<Dim> expected = numerically_filtered<Dim>(exact.H, filter, threshold);
+        const Hessian<Dim> expected = numerically_filtered(exact.H, filter, threshold);
         CHECK((filtered.H - expected).norm() <= 1e-13 * norm + 1e-14);
-        const double smallest = numerical_eigensystem(filtered.H).eigenvalues()[0];
+        const double smallest = numerical_eigensystem(filtered.H).values[0];
         CHECK(smallest >= threshold - 1e-14 * norm);
         if (!filtered.filtered) CHECK((filtered.H.array() == exact.H.array()).all());
       }
@@ -210,13 +198,13 @@ TEST_CASE("bounded absolute values: clamping at weight 0, absolute values at 1 w
         const auto absolute = projection::evaluate<3>(energy, F, {Filter::abs}).H;
         CHECK((bounded(0.0) - clamped).norm() <= 1e-13 * norm + 1e-14);
         // Between the two in the order of positive semi-definite matrices.
-        const auto smallest = [](const Hessian<3>& H) { return numerical_eigensystem(H).eigenvalues()[0]; };
+        const auto smallest = [](const Hessian<3>& H) { return numerical_eigensystem(H).values[0]; };
         for (const double weight : {0.3, 1.0}) {
           CHECK(smallest(bounded(weight) - clamped) >= -1e-13 * norm);
           CHECK(smallest(absolute - bounded(weight)) >= -1e-13 * norm);
         }
         const auto eigen = numerical_eigensystem(exact.H);
-        const auto& lambda = eigen.eigenvalues();
+        const auto& lambda = eigen.values;
         // The largest eigenvalue of a shear that stiffens is a flip or a scaling mode; twists soften.
         if (lambda[0] < 0 && -lambda[0] < lambda[8] && name == "stable_neo_hookean")
           CHECK((bounded(1.0) - absolute).norm() <= 1e-13 * norm);
@@ -231,7 +219,7 @@ TEST_CASE("a twist without bounds does not make the body rigid: bounded absolute
   const Eigen::Matrix3d collapsed = Eigen::Matrix3d::Zero();
   const auto largest = [&](Filter filter) {
     const auto H = projection::evaluate<3>(energy, collapsed, {filter}).H;
-    return numerical_eigensystem(H).eigenvalues()[8];
+    return numerical_eigensystem(H).values[8];
   };
   CHECK(largest(Filter::abs) > 1e10);
   CHECK(largest(Filter::bounded_abs) == doctest::Approx(2.0));
@@ -242,7 +230,7 @@ TEST_CASE("weight moves eigenvalues part of the way, 0 not at all") {
   const Eigen::Matrix2d F = 0.4 * Eigen::Matrix2d::Identity();  // twist 2 - 4/0.8 = -3
   const auto smallest = [&](double weight) {
     const auto H = projection::evaluate<2>(energy, F, {Filter::clamp, 0.0, weight}).H;
-    return numerical_eigensystem(H).eigenvalues()[0];
+    return numerical_eigensystem(H).values[0];
   };
   CHECK(smallest(0.0) == doctest::Approx(-3.0));
   CHECK(smallest(0.5) == doctest::Approx(-1.5));

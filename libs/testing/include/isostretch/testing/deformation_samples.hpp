@@ -25,9 +25,14 @@ struct DeformationSample {
 template <int Dim>
 Eigen::Matrix<double, Dim, Dim> random_rotation(std::mt19937& generator) {
   std::normal_distribution<double> normal;
-  Eigen::Matrix<double, Dim, Dim> M;
-  for (int e = 0; e < Dim * Dim; ++e) M.data()[e] = normal(generator);
-  Eigen::Matrix<double, Dim, Dim> Q = M.householderQr().householderQ();
+  Eigen::Matrix<double, Dim, Dim> Q;
+  for (int e = 0; e < Dim * Dim; ++e) Q.data()[e] = normal(generator);
+  // Gram and Schmidt, twice for columns that are nearly parallel: quick to compile.
+  for (int j = 0; j < Dim; ++j) {
+    for (int pass = 0; pass < 2; ++pass)
+      for (int i = 0; i < j; ++i) Q.col(j) -= Q.col(i).dot(Q.col(j)) * Q.col(i);
+    Q.col(j).normalize();
+  }
   if (Q.determinant() < 0) Q.col(0) *= -1.0;
   return Q;
 }

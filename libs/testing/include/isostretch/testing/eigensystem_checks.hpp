@@ -81,9 +81,9 @@ struct AbsoluteEigenvalue {
 };
 
 /// Returns the filter applied to a numerical eigen-decomposition of H.
-template <class Matrix, class Filter>
-Matrix filtered_numerically(const Matrix& H, Filter filter) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(H);
+template <class Filter>
+Eigen::MatrixXd filtered_numerically(const Eigen::MatrixXd& H, Filter filter) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(H);
   return eigen.eigenvectors() * eigen.eigenvalues().unaryExpr(filter).asDiagonal() *
          eigen.eigenvectors().transpose();
 }
@@ -105,7 +105,6 @@ struct EigensystemErrors {
 template <int Dim>
 EigensystemErrors compare_eigensystem(const std::vector<Eigenpair<Dim>>& pairs,
                                       const Eigen::Matrix<double, Dim * Dim, Dim * Dim>& H) {
-  using Matrix = Eigen::Matrix<double, Dim * Dim, Dim * Dim>;
   const double scale = std::max(H.norm(), 1e-300);
   EigensystemErrors errors;
   Eigen::Matrix<double, Dim * Dim, 1> values;
@@ -115,7 +114,7 @@ EigensystemErrors compare_eigensystem(const std::vector<Eigenpair<Dim>>& pairs,
     errors.residual = std::max(errors.residual, (H * vector - value * vector).norm() / scale);
   }
   std::sort(values.begin(), values.end());
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(H, Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(H, Eigen::EigenvaluesOnly);
   errors.eigenvalues = (values - eigen.eigenvalues()).cwiseAbs().maxCoeff() / scale;
   const auto difference = [&](auto filter) {
     return (assemble<Dim>(pairs, filter) - filtered_numerically(H, filter)).norm() / scale;
