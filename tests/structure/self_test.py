@@ -9,6 +9,7 @@ import tempfile
 import unittest
 
 import check_dependencies
+import check_headers
 import check_kernel_symbols
 import check_linked
 import check_owned_vectors
@@ -155,6 +156,27 @@ class KernelSymbols(unittest.TestCase):
             names = [name for _, name in check_kernel_symbols.demangled_symbols(path)
                      if not check_kernel_symbols.belongs_to("v4", name)]
         self.assertEqual(names, ["leaked(int)"])
+
+
+class Headers(unittest.TestCase):
+    TEXTS = {"isostretch/a.hpp": "#pragma once\n\n// first\n#include <isostretch/b.hpp>\n#include <vector>\n",
+             "isostretch/b.hpp": "#pragma once\n#include <Eigen/Core>\n#include <isostretch/c.hpp>\n",
+             "isostretch/c.hpp": "#pragma once\n#include <vector>\n"}
+
+    def test_only_what_stands_before_all_else_is_proven_by_another(self):
+        self.assertEqual(check_headers.proven_by_others(self.TEXTS), {"isostretch/b.hpp"})
+        self.assertIsNone(check_headers.first_include("#define X\n#include <isostretch/b.hpp>\n"))
+
+    def test_eigen_is_precompiled_for_those_that_reach_it(self):
+        self.assertEqual(check_headers.precompiled_for("isostretch/a.hpp", self.TEXTS), "Eigen/Core")
+        self.assertIsNone(check_headers.precompiled_for("isostretch/c.hpp", self.TEXTS))
+
+    def test_a_header_that_needs_another_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "x.hpp").write_text("inline std::vector<int> f();\n")
+            header, code, errors = check_headers.compile_header("x.hpp", ["c++", "-std=c++20", f"-I{folder}"])
+        self.assertNotEqual(code, 0)
+        self.assertIn("vector", errors)
 
 
 class Sizes(unittest.TestCase):
