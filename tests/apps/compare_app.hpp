@@ -1,10 +1,12 @@
 #pragma once
 
+#include "failure.hpp"
 #include "process.hpp"
 #include "scratch.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,12 @@ namespace isostretch::test {
 inline Outcome compare(std::vector<std::string> arguments, const std::function<void(int)>& meanwhile = {}) {
   arguments.insert(arguments.begin(), program("compare"));
   return run(arguments, meanwhile);
+}
+
+// isostretch-compare ends with that code, and as check_failure_of() says.
+inline void check_failure(const Scratch& scratch, const std::vector<std::string>& arguments, int code,
+                          const std::vector<std::string>& words) {
+  check_failure_of([](const auto& list) { return compare(list); }, scratch, arguments, code, words);
 }
 
 // A face to flatten, which takes any method a moment.

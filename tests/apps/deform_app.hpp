@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,15 @@ inline nlohmann::ordered_json twisted_bar(double degrees, int frames) {
              {"select", {{"slab", {{"axis", "x"}, {"end", "max"}, {"fraction", 0.05}}}}},
              {"rotate", {{"axis", {1, 0, 0}}, {"degrees", degrees}}}}}},
           {"frames", frames}};
+}
+
+// Both ends of a bar held, the right one moved by so much.
+inline nlohmann::ordered_json pulled_bar(const nlohmann::ordered_json& translate) {
+  nlohmann::ordered_json scene = twisted_bar(0, 1);
+  scene["mesh"]["bar"]["cells"] = {4, 2, 2};
+  scene["handles"][1].erase("rotate");
+  scene["handles"][1]["translate"] = translate;
+  return scene;
 }
 
 }  // namespace isostretch::test

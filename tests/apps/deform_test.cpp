@@ -1,18 +1,21 @@
-// The main job of isostretch-deform: frames, handles, regions, elements, restart.
+// The main job of isostretch-deform: frames, materials, regions, elements, formats.
 #include "conditional.hpp"
 #include "deform_app.hpp"
+#include "deform_results.hpp"
 
 #include <isostretch/mesh/generators.hpp>
 #include <isostretch/mesh_io/io.hpp>
 
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <Eigen/Core>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <csignal>
+#include <cstddef>
 #include <filesystem>
-#include <thread>
+#include <string>
+#include <vector>
 
 using namespace isostretch;
 using namespace isostretch::test;
@@ -20,34 +23,6 @@ using doctest::Approx;
 using Json = nlohmann::ordered_json;
 using isostretch::tests::outside_data;
 using isostretch::tests::outside_path;
-
-namespace {
-
-// Runs the scene, which must end well, and returns summary.json.
-nlohmann::json solved(const Scratch& scratch, const Json& scene, std::vector<std::string> more = {},
-                      const std::string& out = "out") {
-  std::vector<std::string> arguments{write_scene(scratch, scene), "-o", scratch.path(out), "--no-picture"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const Outcome run = deform(arguments);
-  REQUIRE_MESSAGE(run.code == 0, run.err);
-  return read_json(scratch.path(out + "/summary.json"));
-}
-
-mesh::Points3 frame(const Scratch& scratch, int number, const std::string& out = "out") {
-  char name[64];
-  std::snprintf(name, sizeof name, "/frame_%04d.vtu", number);
-  return mesh::read_vtu_tets(scratch.path(out + name)).vertices;
-}
-
-void check_same_frames(const Scratch& scratch, const std::string& a, const std::string& b, int last) {
-  for (int i = 0; i <= last; ++i) {
-    char name[64];
-    std::snprintf(name, sizeof name, "/frame_%04d.vtu", i);
-    CHECK_MESSAGE(read_file(scratch.path(a + name)) == read_file(scratch.path(b + name)), name);
-  }
-}
-
-}  // namespace
 
 TEST_CASE(
     "deform: a twisted bar: every frame a file, handles in place to the bit, all numbers in the summary") {
@@ -96,62 +71,6 @@ TEST_CASE(
   const std::string vtu = read_file(scratch.path("out/frame_0003.vtu"));
   for (const char* field : {"min_det_F", "stress_norm", "length_change", "displacement"})
     CHECK_MESSAGE(vtu.find(field) != std::string::npos, field);
-}
-
-TEST_CASE("deform: a run that stops and goes on writes the same bytes as one that does not") {
-  const Scratch scratch;
-  const Json scene = twisted_bar(120, 6);
-  solved(scratch, scene, {}, "whole");
-  const std::string file = write_scene(scratch, scene), out = scratch.path("parts");
-  const Outcome first = deform({file, "-o", out, "--no-picture", "--stop-after", "3"});
-  CHECK(first.code == 5);
-  CHECK(first.err.find("--stop-after") != std::string::npos);
-  CHECK(!std::filesystem::exists(out + "/frame_0004.vtu"));
-  CHECK(read_json(out + "/summary.json")["outcome"] == "stopped_by_stop_after");
-  CHECK(read_json(out + "/summary.json")["frames_made"] == 3);
-  CHECK(deform({file, "-o", out, "--no-picture", "--stop-after", "1", "--restart", "--threads", "1"}).code ==
-        5);
-  CHECK(std::filesystem::exists(out + "/frame_0004.vtu"));
-  const Outcome second = deform({file, "-o", out, "--no-picture", "--restart"});
-  CHECK_MESSAGE(second.code == 0, second.err);
-  check_same_frames(scratch, "whole", "parts", 6);
-  const auto a = read_json(scratch.path("whole/summary.json")), b = read_json(out + "/summary.json");
-  CHECK(b["restarted_at"] == 5);
-  for (std::size_t i = 1; i <= 6; ++i) CHECK(a["frames"][i]["energy"] == b["frames"][i]["energy"]);
-  SUBCASE("a run that is finished has nothing left to do") {
-    CHECK(deform({file, "-o", out, "--no-picture", "--restart"}).code == 0);
-    check_same_frames(scratch, "whole", "parts", 6);
-  }
-  SUBCASE("another scene is refused, and the key named") {
-    const Outcome other = deform({write_scene(scratch, twisted_bar(121, 6)), "-o", out, "--restart"});
-    CHECK(other.code == 3);
-    CHECK(other.err.find("'handles' has changed") != std::string::npos);
-    write_scene(scratch, scene);
-    const Outcome solver = deform({file, "-o", out, "--restart", "--projection", "clamp"});
-    CHECK(solver.err.find("'newton' has changed") != std::string::npos);
-  }
-  SUBCASE("a state that is damaged is refused") {
-    scratch.write("parts/restart.json", "{\"scene\": {}, ");
-    CHECK(deform({file, "-o", out, "--restart"}).code == 3);
-  }
-}
-
-TEST_CASE("deform: Ctrl-C ends after the iteration, and --restart goes on to the same bytes") {
-  const Scratch scratch;
-  Json scene = twisted_bar(200, 8);
-  scene["mesh"]["bar"]["cells"] = {24, 6, 6};
-  const std::string file = write_scene(scratch, scene), out = scratch.path("parts");
-  const Outcome first = deform({file, "-o", out, "--no-picture"}, [&](int process) {
-    for (int i = 0; i < 20000 && !std::filesystem::exists(out + "/frame_0002.vtu"); ++i)
-      std::this_thread::sleep_for(std::chrono::microseconds(500));
-    ::kill(process, SIGINT);
-  });
-  CHECK_MESSAGE(first.code == 5, first.err);
-  CHECK(first.err.find("interrupted") != std::string::npos);
-  CHECK(read_json(out + "/summary.json")["outcome"] == "stopped");
-  CHECK(deform({file, "-o", out, "--no-picture", "--restart"}).code == 0);
-  solved(scratch, scene, {}, "whole");
-  check_same_frames(scratch, "whole", "parts", 8);
 }
 
 TEST_CASE("deform: all from the command line, tets and surfaces of a file") {
@@ -231,147 +150,6 @@ TEST_CASE("deform: materials given by Lame parameters agree at small strain, in 
   }
 }
 
-TEST_CASE("deform: a translation of all handles moves everything alike, from every guess") {
-  const Scratch scratch;
-  for (const char* guess : {"rest", "previous", "harmonic", "biharmonic"}) {
-    Json scene = twisted_bar(0, 2);
-    scene["initial_guess"] = guess;
-    scene["mesh"]["bar"]["cells"] = {4, 1, 1};
-    for (Json& handle : scene["handles"]) {
-      handle.erase("rotate");
-      handle["translate"] = {0.2, -0.1, 0.3};
-    }
-    const auto summary = solved(scratch, scene);
-    CHECK(summary["frames"][2]["min_det_F"].get<double>() == Approx(1).epsilon(1e-6));
-    const mesh::Points3 moved = frame(scratch, 2) - frame(scratch, 0);
-    CHECK((moved.rowwise() - Eigen::RowVector3d(0.2, -0.1, 0.3)).cwiseAbs().maxCoeff() < 1e-6);
-  }
-}
-
-TEST_CASE("deform: where the guess inverts an element under a barrier, the handles go in parts") {
-  const Scratch scratch;
-  Json scene = twisted_bar(0, 1);
-  scene["initial_guess"] = "previous";  // only the handle moves, by two elements' lengths into the bar
-  scene["handles"][1].erase("rotate");
-  scene["handles"][1]["translate"] = {-1.0, 0, 0};
-  const auto summary = solved(scratch, scene);
-  CHECK(summary["frames"][1]["parts"].get<int>() > 1);
-  CHECK(summary["frames"][1]["min_det_F"].get<double>() > 0);
-  const mesh::Points3 rest = frame(scratch, 0), last = frame(scratch, 1);
-  for (Eigen::Index v = 0; v < rest.rows(); ++v)
-    if (rest(v, 0) == 4) CHECK(last(v, 0) == 3);
-  const double from_harmonic = [&] {
-    scene["initial_guess"] = "harmonic";
-    return solved(scratch, scene)["frames"][1]["energy"].get<double>();
-  }();
-  CHECK(summary["frames"][1]["energy"].get<double>() == Approx(from_harmonic).epsilon(1e-5));
-}
-
-TEST_CASE("deform: frame 1 takes handles from rest to a first keyframe elsewhere") {
-  const Scratch scratch;
-  Json scene = twisted_bar(0, 2);
-  scene["mesh"]["bar"]["cells"] = {4, 2, 2};
-  scene["handles"][1].erase("rotate");
-  scene["handles"][1]["keyframes"] = {{{"time", 0}, {"translate", {-2, 0, 0}}},
-                                      {{"time", 1}, {"translate", {-2.1, 0, 0}}}};
-  for (const char* guess : {"biharmonic", "previous"}) {
-    scene["initial_guess"] = guess;
-    const auto summary = solved(scratch, scene);
-    CHECK(summary["frames"][1]["time"] == 0.5);
-    CHECK(summary["frames"][2]["min_det_F"].get<double>() > 0);
-    const mesh::Points3 rest = frame(scratch, 0), first = frame(scratch, 1);
-    for (Eigen::Index v = 0; v < rest.rows(); ++v)
-      if (rest(v, 0) == 4) CHECK(first(v, 0) == Approx(1.95));
-  }
-}
-
-TEST_CASE("deform: a first keyframe that is turned is reached by turning") {
-  const Scratch scratch;
-  Json scene = twisted_bar(0, 1);
-  scene["mesh"]["bar"]["size"] = {12, 1, 1};
-  scene["handles"][1]["keyframes"] = {{{"time", 3}, {"rotate", scene["handles"][1]["rotate"]}},
-                                      {{"time", 4}, {"rotate", scene["handles"][1]["rotate"]}}};
-  for (Json& key : scene["handles"][1]["keyframes"]) key["rotate"]["degrees"] = 180;
-  scene["handles"][1].erase("rotate");
-  const auto summary = solved(scratch, scene);
-  CHECK(summary["frames"][1]["min_det_F"].get<double>() > 0);
-}
-
-TEST_CASE("deform: the guess is spread on thin bodies and fine sheets") {
-  const Scratch scratch;
-  const auto warnings = [&](const Json& bar) {
-    Json scene = twisted_bar(0, 1);
-    scene["mesh"]["bar"] = bar;
-    const bool flat = bar["cells"].size() == 2;
-    scene["handles"][1].erase("rotate");
-    scene["handles"][1]["translate"] = flat ? Json{0.1, 0} : Json{0.1, 0, 0};
-    return solved(scratch, scene, {"--format", flat ? "obj" : "vtu", "--max-iterations", "50"})["warnings"];
-  };
-  CHECK(warnings({{"cells", {60, 60}}, {"size", {1, 1}}}).empty());
-  CHECK(warnings({{"cells", {30, 20, 7}}, {"size", {4, 1, 0.1}}}).empty());
-}
-
-TEST_CASE("deform: the guess needs more quadrature points than the scene asks for") {
-  const Scratch scratch;
-  for (const Json& element : {Json("hex"), Json("quadratic_tet"), Json("quad"), Json("quadratic_triangle")}) {
-    const bool flat = element == "quad" || element == "quadratic_triangle";
-    Json scene = twisted_bar(0, 1);
-    scene["mesh"]["bar"] = {{"cells", flat ? Json{4, 2} : Json{4, 2, 2}}, {"element", element}};
-    scene["quadrature"] = 1;
-    scene["handles"][1].erase("rotate");
-    scene["handles"][1]["translate"] = flat ? Json{0.1, 0} : Json{0.1, 0, 0};
-    const Outcome run = deform({write_scene(scratch, scene), "-o", scratch.path("out"), "--no-picture"});
-    CAPTURE(element);
-    CAPTURE(run.err);
-    CHECK(run.code != 1);
-    CHECK(read_json(scratch.path("out/summary.json"))["warnings"].empty());
-  }
-}
-
-TEST_CASE("deform: keyframes, more than a full turn and back") {
-  const Scratch scratch;
-  Json scene = twisted_bar(0, 6);
-  scene["energy"] = "arap";
-  scene["mesh"]["bar"]["size"] = {12, 1, 1};
-  scene["handles"][1].erase("rotate");
-  scene["handles"][1]["keyframes"] = {
-      {{"time", 2}},
-      {{"time", 3}, {"rotate", {{"axis", {1, 0, 0}}, {"degrees", 180}}}, {"translate", {0.5, 0, 0}}},
-      {{"time", 5}}};
-  const auto summary = solved(scratch, scene);
-  CHECK(summary["frames"][0]["time"] == 2.0);
-  CHECK(summary["frames"][2]["time"] == 3.0);
-  CHECK(summary["frames"][6]["time"] == 5.0);
-  const mesh::Points3 rest = frame(scratch, 0), turned = frame(scratch, 2), back = frame(scratch, 6);
-  for (Eigen::Index v = 0; v < rest.rows(); ++v)
-    if (rest(v, 0) == 12)
-      CHECK((turned.row(v) - Eigen::RowVector3d(12.5, 1 - rest(v, 1), 1 - rest(v, 2))).norm() < 1e-14);
-  CHECK((back - rest).cwiseAbs().maxCoeff() < 1e-4);
-}
-
-TEST_CASE("deform: a soft handle pulls, the harder the heavier, and in any units alike") {
-  const Scratch scratch;
-  const auto reached = [&](double weight, double unit) {
-    Json scene = twisted_bar(0, 1);
-    scene["mesh"]["bar"]["size"] = {4 * unit, unit, unit};
-    scene["handles"][1].erase("rotate");
-    scene["handles"][1]["translate"] = {unit, 0, 0};
-    scene["handles"][1]["soft"] = weight;
-    solved(scratch, scene);
-    const mesh::Points3 rest = frame(scratch, 0), last = frame(scratch, 1);
-    double mean = 0;
-    int count = 0;
-    for (Eigen::Index v = 0; v < rest.rows(); ++v)
-      if (rest(v, 0) == 4 * unit) mean += (last(v, 0) - rest(v, 0)) / unit, ++count;
-    return mean / count;
-  };
-  const double light = reached(0.3, 1), heavy = reached(1e5, 1);
-  CHECK(light > 0.02);
-  CHECK(light < 0.8);
-  CHECK(heavy == Approx(1).epsilon(1e-3));
-  CHECK(reached(0.3, 1e-3) == Approx(light).epsilon(1e-5));
-}
-
 TEST_CASE("deform: regions have energies and materials of their own") {
   const Scratch scratch;
   Json scene = twisted_bar(0, 1);
@@ -423,13 +201,6 @@ TEST_CASE("deform: frames as MSH and OBJ") {
   CHECK(mesh::read_tets(scratch.path("msh/frame_0001.msh")).vertices == frame(scratch, 1, "vtu"));
   CHECK(mesh::read_obj(scratch.path("obj/frame_0001.obj")).triangles.rows() == 2 * (2 * 4 + 4 * 16));
   CHECK(!std::filesystem::exists(scratch.path("obj/deform.pvd")));
-}
-
-TEST_CASE("deform: one thread and two write the same bytes") {
-  const Scratch scratch;
-  solved(scratch, twisted_bar(60, 2), {"--threads", "1"}, "one");
-  solved(scratch, twisted_bar(60, 2), {"--threads", "2"}, "two");
-  check_same_frames(scratch, "one", "two", 2);
 }
 
 TEST_CASE("deform: models of others" * outside_data({"meshes/tets/octopus-low.mesh"})) {

@@ -1,7 +1,9 @@
+// Energy, gradient and Hessian that are assembled, against dense algebra and differences.
+#include "every_level.hpp"
+#include "positions.hpp"
+
 #include <isostretch/assembly/energy_assembler.hpp>
-#include <isostretch/core/error.hpp>
 #include <isostretch/energies/registry.hpp>
-#include <isostretch/fem/element_arrays.hpp>
 #include <isostretch/fem/elements.hpp>
 #include <isostretch/fem/quadratic.hpp>
 #include <isostretch/mesh/generators.hpp>
@@ -13,53 +15,18 @@
 
 #include <Eigen/Dense>
 
-#include <cmath>
+#include <algorithm>
 #include <random>
-#include <stdexcept>
-#include <string>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "every_level.hpp"
-
 using namespace isostretch;
+using namespace isostretch::tests;
 using assembly::Elements;
 using assembly::EnergyAssembler;
 using projection::Filter;
-using tests::at_every_level;
 
 namespace {
-
-Elements triangles(int n) {
-  const mesh::SurfaceMesh grid = mesh::grid(n, n, 1.0, 1.0);
-  return assembly::elements_from(mesh::flat_elements(grid));
-}
-
-Elements tets() {
-  return assembly::elements_from(mesh::elements(mesh::tet_bar(3, 2, 2, 1.5, 1.0, 1.0)));
-}
-
-// Rest positions, recovered by solving for nodes is not needed: a random smooth map of generated meshes will
-// do.
-Eigen::VectorXd planar_positions(int n, double noise, unsigned seed) {
-  const mesh::SurfaceMesh grid = mesh::grid(n, n, 1.0, 1.0);
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-noise, noise);
-  Eigen::VectorXd x(2 * grid.vertices.rows());
-  for (Eigen::Index i = 0; i < grid.vertices.rows(); ++i)
-    for (int d = 0; d < 2; ++d) x[2 * i + d] = 1.3 * grid.vertices(i, d) + uniform(generator);
-  return x;
-}
-
-Eigen::VectorXd solid_positions(double noise, unsigned seed) {
-  const mesh::TetMesh bar = mesh::tet_bar(3, 2, 2, 1.5, 1.0, 1.0);
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-noise, noise);
-  Eigen::VectorXd x(3 * bar.vertices.rows());
-  for (Eigen::Index i = 0; i < bar.vertices.rows(); ++i)
-    for (int d = 0; d < 3; ++d) x[3 * i + d] = 1.1 * bar.vertices(i, d) + uniform(generator);
-  return x;
-}
 
 struct Assembled {
   double value;
@@ -256,75 +223,6 @@ TEST_CASE("translations cost nothing: the Hessian's rows add up to zero") {
   CHECK((H * shift).norm() <= 1e-13 * H.norm());
 }
 
-TEST_CASE("an element outside the domain makes the value infinite and is named") {
-  const Elements elements = triangles(3);
-  EnergyAssembler assembler(elements, energies::make_energy("symmetric_dirichlet"));
-  Eigen::VectorXd x = planar_positions(3, 0.0, 1);
-  const int element = 11;
-  // Mirror one corner of the element through its opposite edge.
-  const int* node = elements.nodes.data() + 3 * element;
-  const Eigen::Vector2d a = x.segment<2>(2 * node[0]), b = x.segment<2>(2 * node[1]),
-                        c = x.segment<2>(2 * node[2]);
-  const Eigen::Vector2d t = (c - b).normalized();
-  x.segment<2>(2 * node[0]) = b + 2 * t * t.dot(a - b) - (a - b);
-  const auto at = assembler.value(x.data());
-  CHECK(std::isinf(at.value));
-  CHECK(at.worst_element >= 0);
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(x.size());
-  const auto derivative = assembler.differentiate(x.data(), {}, gradient.data(), true);
-  CHECK(std::isinf(derivative.value));
-  CHECK(derivative.worst_element == at.worst_element);
-  CHECK(gradient.isZero(0));
-}
-
-TEST_CASE("max_step stops where the first determinant vanishes, in 2D and 3D") {
-  at_every_level([] {
-    const Elements elements = triangles(4);
-    EnergyAssembler assembler(elements, energies::make_energy("symmetric_dirichlet"));
-    std::mt19937 generator(6);
-    std::normal_distribution<double> normal;
-    for (int trial = 0; trial < 20; ++trial) {
-      const Eigen::VectorXd x = planar_positions(4, 0.02, static_cast<unsigned>(trial));
-      const Eigen::VectorXd d = Eigen::VectorXd::NullaryExpr(x.size(), [&] { return normal(generator); });
-      const double step = assembler.max_step(x.data(), d.data(), 100);
-      REQUIRE(step < 100);
-      const Eigen::VectorXd inside = x + 0.999999 * step * d, outside = x + 1.000001 * step * d;
-      CHECK(std::isfinite(assembler.value(inside.data()).value));
-      CHECK(std::isinf(assembler.value(outside.data()).value));
-      CHECK(assembler.max_step(x.data(), d.data(), 0.5 * step) == 0.5 * step);
-    }
-    const Elements solid = tets();
-    EnergyAssembler volume(solid, energies::make_energy("symmetric_dirichlet"));
-    for (int trial = 0; trial < 20; ++trial) {
-      const Eigen::VectorXd x = solid_positions(0.02, static_cast<unsigned>(trial));
-      const Eigen::VectorXd d = Eigen::VectorXd::NullaryExpr(x.size(), [&] { return normal(generator); });
-      const double step = volume.max_step(x.data(), d.data(), 100);
-      REQUIRE(step < 100);
-      const Eigen::VectorXd inside = x + 0.999999 * step * d, outside = x + 1.000001 * step * d;
-      CHECK(std::isfinite(volume.value(inside.data()).value));
-      CHECK(std::isinf(volume.value(outside.data()).value));
-    }
-    EnergyAssembler free(elements, energies::make_energy("arap"));
-    const Eigen::VectorXd x = planar_positions(4, 0.02, 1);
-    CHECK(free.max_step(x.data(), x.data(), 7.0) == 7.0);
-  });
-}
-
-TEST_CASE("stretches come back in the caller's order of elements") {
-  const Elements elements = triangles(5);
-  EnergyAssembler assembler(elements, energies::make_energy("arap"));
-  const Eigen::VectorXd x = planar_positions(5, 0.05, 9);
-  const auto sigma = assembler.stretches(x.data());
-  for (int t = 0; t < elements.element_count(); ++t) {
-    Eigen::Matrix2d F = Eigen::Matrix2d::Zero();
-    for (int a = 0; a < 3; ++a)
-      F += x.segment<2>(2 * elements.nodes[static_cast<std::size_t>(3 * t + a)]) *
-           Eigen::Map<const Eigen::RowVector2d>(elements.gradients.data() + 6 * t + 2 * a);
-    CHECK(sigma[static_cast<std::size_t>(2 * t)] * sigma[static_cast<std::size_t>(2 * t + 1)] ==
-          doctest::Approx(F.determinant()).epsilon(1e-10));
-  }
-}
-
 TEST_CASE("several quadrature points add up") {
   Elements once = triangles(3);
   Elements twice = once;
@@ -343,95 +241,4 @@ TEST_CASE("several quadrature points add up") {
   CHECK(a.value == doctest::Approx(b.value).epsilon(1e-14));
   CHECK((a.gradient - b.gradient).norm() <= 1e-13 * a.gradient.norm());
   CHECK((a.hessian - b.hessian).norm() <= 1e-13 * a.hessian.norm());
-}
-
-TEST_CASE("malformed elements are refused, naming the element") {
-  const auto energy = energies::make_energy("arap");
-  Elements elements = triangles(2);
-  Elements none = elements;
-  none.nodes.clear(), none.gradients.clear(), none.weights.clear();
-  CHECK_THROWS_WITH_AS(EnergyAssembler(none, energy), doctest::Contains("no elements"), Error);
-  elements.nodes[7] = 99;
-  CHECK_THROWS_WITH_AS(EnergyAssembler(elements, energy), doctest::Contains("element 2: node 99"), Error);
-  Elements five = elements;
-  five.nodes_per_element = 5;
-  CHECK_THROWS_WITH_AS(EnergyAssembler(five, energy), doctest::Contains("3, 4 and 6 in 2D"), Error);
-  elements = triangles(2);
-  elements.weights[3] = -1;
-  CHECK_THROWS_WITH_AS(EnergyAssembler(elements, energy), doctest::Contains("element 3"), Error);
-  elements = triangles(2);
-  elements.gradients[6 * 4] += 1;
-  CHECK_THROWS_WITH_AS(EnergyAssembler(elements, energy), doctest::Contains("element 4: gradients"), Error);
-  elements = triangles(2);
-  elements.gradients[6 * 5 + 1] = std::nan("");
-  CHECK_THROWS_WITH_AS(EnergyAssembler(elements, energy), doctest::Contains("element 5"), Error);
-  CHECK_THROWS_WITH_AS(EnergyAssembler(triangles(2), energies::make_energy("mips_3d")),
-                       doctest::Contains("mips_3d"), Error);
-}
-
-namespace {
-
-// Throws at the elements that are larger than a limit, once it is armed.
-struct Throwing {
-  static constexpr const char* name = "throwing";
-  inline static double largest_psi = 1e300;
-
-  template <int Dim, class T>
-  T psi(const energies::Invariants<Dim, T>& I) const {
-    if constexpr (std::is_same_v<T, Pack>) {
-      double value[lanes];
-      store(value, I.I2);
-      for (const double v : value) refuse(v);
-    } else {
-      if (largest_psi == 0) refuse(1);  // jets
-    }
-    return I.I2;
-  }
-
-  static void refuse(double I2) {
-    if (I2 > largest_psi) throw std::out_of_range(std::to_string(I2));
-  }
-};
-
-}  // namespace
-
-TEST_CASE("what an energy throws reaches the caller, the same for any number of threads") {
-  const int threads_before = omp_get_max_threads();
-  const Elements elements = triangles(40);
-  EnergyAssembler assembler(elements, Throwing{});
-  Eigen::VectorXd x = planar_positions(40, 1e-3, 5);
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(x.size());
-  Throwing::largest_psi = 3.38;  // a few elements of many chunks exceed it
-  std::string first;
-  for (const int threads : {1, 2, 3, 8}) {
-    omp_set_num_threads(threads);
-    for (int repeat = 0; repeat < 5; ++repeat) {
-      std::string thrown;
-      try {
-        assembler.value(x.data());
-      } catch (const std::out_of_range& error) {
-        thrown = error.what();
-      }
-      CHECK_FALSE(thrown.empty());
-      if (first.empty()) first = thrown;
-      CHECK(thrown == first);
-    }
-  }
-  Throwing::largest_psi = 0;
-  CHECK_THROWS_AS(assembler.value(x.data()), std::out_of_range);
-  CHECK_THROWS_AS(assembler.differentiate(x.data(), {}, gradient.data(), true), std::out_of_range);
-  Throwing::largest_psi = 1e300;
-  CHECK(assembler.value(x.data()).value > 0);
-  omp_set_num_threads(threads_before);
-}
-
-TEST_CASE("an element whose derivatives are not finite is named") {
-  const Elements elements = triangles(12);
-  EnergyAssembler assembler(elements, energies::make_energy("symmetric_dirichlet"));
-  Eigen::VectorXd x = planar_positions(12, 1e-3, 5);
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(x.size());
-  assembler.differentiate(x.data(), {}, gradient.data(), true);
-  CHECK(assembler.element_not_finite() == -1);
-  assembler.element_hessians()[assembler.hessian_entries_per_element() * 77 + 3] = std::nan("");
-  CHECK(assembler.element_not_finite() == assembler.element_order()[77]);
 }

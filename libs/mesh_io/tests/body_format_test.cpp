@@ -1,9 +1,17 @@
 // Elements of bodies: kinds, orders of nodes, copies, groups.
-#include "formats.hpp"
+#include "contents.hpp"
+#include "meshes.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <doctest/doctest.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 using namespace isostretch;
 using namespace isostretch::mesh;

@@ -1,9 +1,9 @@
 #include "formats.hpp"
+#include "sample_mesh.hpp"
 #include "scratch.hpp"
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/mesh/generators.hpp>
-#include <isostretch/surface/check.hpp>
 
 #include <doctest/doctest.h>
 

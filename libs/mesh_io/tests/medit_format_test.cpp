@@ -1,8 +1,11 @@
-#include "formats.hpp"
+#include "meshes.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <doctest/doctest.h>
+
+#include <string>
 
 using namespace isostretch;
 using namespace isostretch::mesh;

@@ -1,11 +1,17 @@
-#include "formats.hpp"
+#include "contents.hpp"
+#include "meshes.hpp"
+#include "sample_mesh.hpp"
+#include "surface_samples.hpp"
 
 #include <isostretch/core/error.hpp>
 #include <isostretch/mesh/generators.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <random>
+#include <string>
 
 using namespace isostretch;
 using namespace isostretch::mesh;

@@ -1,10 +1,19 @@
 // What all text formats have in common: ends of lines, byte-order marks, comments.
+#include "contents.hpp"
 #include "formats.hpp"
 #include "log_lines.hpp"
+#include "meshes.hpp"
+#include "sample_mesh.hpp"
+#include "surface_samples.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <doctest/doctest.h>
+
+#include <bit>
+#include <cstdint>
+#include <string>
 
 using namespace isostretch;
 using namespace isostretch::mesh;

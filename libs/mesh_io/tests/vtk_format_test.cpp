@@ -1,8 +1,16 @@
-#include "formats.hpp"
+#include "contents.hpp"
+#include "meshes.hpp"
+#include "vtk_samples.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/mesh_io/io.hpp>
 
 #include <doctest/doctest.h>
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <string>
 
 using namespace isostretch;
 using namespace isostretch::mesh;

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cmath>
+#include <random>
+#include <vector>
 
 namespace isostretch::sparse::test {
 
@@ -18,6 +20,13 @@ struct ElasticBox {
   double contrast = 0;       // stiffness 10^(contrast * u), u between 0 and 1, differs by element
   double negative_part = 0;  // added to every stiffness, so that < -1 makes the matrix indefinite
 };
+
+// So many cells along every axis.
+inline ElasticBox box(int cells) {
+  ElasticBox box;
+  for (int& n : box.cells) n = cells;
+  return box;
+}
 
 struct ElasticSystem {
   SymmetricMatrix A;           // group[i] is the node of unknown i; nodes with x = 0 are pinned

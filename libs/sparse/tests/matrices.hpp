@@ -86,6 +86,10 @@ inline SymmetricMatrix random_spd(int size, int entries_per_column, unsigned see
   return from_triplets(size, triplets);
 }
 
+inline double& diagonal_entry(SymmetricMatrix& A, int j) {
+  return A.value[A.column_start[j]];
+}
+
 inline Eigen::VectorXd random_vector(int size, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> value(-1, 1);

@@ -1,4 +1,5 @@
 // One suite for every back end that is compiled in.
+#include "every_solver.hpp"
 #include "matrices.hpp"
 
 #include <isostretch/core/error.hpp>
@@ -6,34 +7,19 @@
 
 #include <doctest/doctest.h>
 
-#include <Eigen/Dense>
-#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace isostretch;
 using namespace isostretch::sparse;
 using namespace isostretch::sparse::test;
 
 namespace {
-
-// Calls body(options) for every back end with every ordering it can have.
-template <class Body>
-void for_each_solver(const Body& body) {
-  for (const Backend backend : available_backends())
-    for (const Ordering ordering : available_orderings()) {
-      Options options;
-      options.backend = backend;
-      options.ordering = ordering;
-      options.pcg_tolerance = 1e-11;
-      const std::string backend_text(backend_name(backend)), ordering_text(ordering_name(ordering));
-      CAPTURE(backend_text);
-      CAPTURE(ordering_text);
-      body(options);
-    }
-}
 
 void check_solves(Solver& solver, const SymmetricMatrix& A, unsigned seed, double tolerance = 1e-10) {
   const FactorResult factored = solver.factorize(A);
@@ -60,10 +46,6 @@ SymmetricMatrix diagonal(std::vector<double> values) {
   for (int j = 0; j <= A.size; ++j) A.column_start.push_back(j);
   A.value = std::move(values);
   return A;
-}
-
-double& diagonal_entry(SymmetricMatrix& A, int j) {
-  return A.value[A.column_start[j]];
 }
 
 }  // namespace
@@ -332,17 +314,6 @@ TEST_CASE("sparse solver: statistics say what was done") {
   }
 }
 
-TEST_CASE("sparse solver: automatic ordering tells 3D from 2D") {
-  const auto chosen = [](const SymmetricMatrix& A) {
-    const auto solver = make_solver();
-    solver->analyze(A);
-    return solver->statistics().ordering;
-  };
-  CHECK(chosen(grid_2d(40)) == Ordering::amd);
-  CHECK(chosen(grid_3d(5)) == Ordering::amd);  // too small to matter
-  CHECK(chosen(grid_3d(11)) == (is_available(Backend::cholmod_supernodal) ? Ordering::metis : Ordering::amd));
-}
-
 TEST_CASE("sparse solver: a fill-reducing ordering on groups has far less fill than none") {
   const SymmetricMatrix A = grid_2d(40);
   const auto fill = [&](Ordering ordering) {
@@ -355,105 +326,4 @@ TEST_CASE("sparse solver: a fill-reducing ordering on groups has far less fill t
     return solver->statistics().factor_nonzeros;
   };
   CHECK(fill(Ordering::amd) < 0.5 * fill(Ordering::natural));
-}
-
-TEST_CASE("conjugate gradients: converge with both preconditioners, block-Jacobi no slower") {
-  SymmetricMatrix A = grid_2d(30, 1e-4);
-  int iterations[2] = {0, 0};
-  for (const Preconditioner kind : {Preconditioner::jacobi, Preconditioner::block_jacobi}) {
-    Options options;
-    options.backend = Backend::pcg;
-    options.pcg_preconditioner = kind;
-    const auto solver = make_solver(options);
-    solver->analyze(A);
-    REQUIRE(solver->factorize(A));
-    const Eigen::VectorXd b = random_vector(A.size, 9);
-    Eigen::VectorXd x;
-    const SolveResult result = solver->solve(b, x);
-    CHECK(result);
-    CHECK(result.relative_residual <= options.pcg_tolerance);
-    CHECK(relative_residual(A, x, b) <= options.pcg_tolerance);
-    iterations[static_cast<int>(kind)] = result.iterations;
-  }
-  CHECK(iterations[1] <= iterations[0]);
-}
-
-TEST_CASE("conjugate gradients: report when they do not converge") {
-  const SymmetricMatrix A = grid_2d(30, 1e-4);
-  Options options;
-  options.backend = Backend::pcg;
-  options.pcg_max_iterations = 5;
-  const auto solver = make_solver(options);
-  solver->analyze(A);
-  solver->factorize(A);
-  Eigen::VectorXd x;
-  const SolveResult result = solver->solve(random_vector(A.size, 9), x);
-  CHECK(result.status == SolveStatus::not_converged);
-  CHECK(result.iterations == 5);
-  CHECK(result.message.find("iteration limit after 5 iterations") != std::string::npos);
-  CHECK(x.allFinite());
-  // A tolerance below what rounding allows ends by itself, long before the default limit.
-  options.pcg_max_iterations = 0;
-  options.pcg_tolerance = 1e-17;
-  const auto strict = make_solver(options);
-  strict->analyze(A);
-  strict->factorize(A);
-  const SolveResult stuck = strict->solve(random_vector(A.size, 9), x);
-  CHECK(stuck.status == SolveStatus::not_converged);
-  CHECK(stuck.relative_residual < 1e-10);
-}
-
-TEST_CASE("conjugate gradients: zero right-hand side") {
-  Options options;
-  options.backend = Backend::pcg;
-  const SymmetricMatrix A = grid_2d(5);
-  const auto solver = make_solver(options);
-  solver->analyze(A);
-  solver->factorize(A);
-  Eigen::VectorXd x;
-  CHECK(solver->solve(Eigen::VectorXd::Zero(A.size), x));
-  CHECK(x.isZero(0));
-}
-
-namespace {
-
-// An entry on the diagonal of the inverse, by Eigen's conjugate gradients.
-double diagonal_of_inverse(const SymmetricMatrix& A, int place) {
-  const Eigen::SparseMatrix<double> lower = Eigen::Map<const Eigen::SparseMatrix<double>>(
-      A.size, A.size, A.nonzeros(), A.column_start.data(), A.row.data(), A.value.data());
-  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower> solver(lower);
-  solver.setTolerance(1e-12);
-  const Eigen::VectorXd column = solver.solve(Eigen::VectorXd::Unit(A.size, place));
-  REQUIRE(solver.info() == Eigen::Success);
-  return column[place];
-}
-
-}  // namespace
-
-TEST_CASE("sparse solver: the verdict of definiteness depends neither on size nor on place") {
-  int checked = 0;
-  for_each_solver([&](const Options& options) {
-    if (options.backend == Backend::pcg) return;  // it looks along its search directions alone
-    for (const int size : {1, 2, 3, 5, 8, 17, 40, 100, 400, 1500})
-      for (const double shift : {1e-3, -1e-3}) {
-        // Positive definite but for one eigenvalue of the sign of the shift, which no diagonal entry shows.
-        SymmetricMatrix A = random_spd(size, 3, static_cast<unsigned>(size));
-        const int place = size / 3;
-        if (size == 1) {
-          A.value[0] = shift;
-        } else {
-          // A - (1 - shift) e e^T / (e^T A^-1 e) is singular at shift = 0.
-          diagonal_entry(A, place) -= (1 - shift) / diagonal_of_inverse(A, place);
-        }
-        CAPTURE(size);
-        CAPTURE(shift);
-        const auto solver = make_solver(options);
-        REQUIRE(solver->analyze(A));
-        const FactorResult result = solver->factorize(A);
-        CHECK(static_cast<bool>(result) == (shift > 0));
-        if (shift < 0) CHECK(result.status == FactorStatus::not_positive_definite);
-        ++checked;
-      }
-  });
-  CHECK(checked >= 20);
 }
