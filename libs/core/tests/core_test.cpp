@@ -106,8 +106,7 @@ TEST_CASE("numbers are taken whole or not at all") {
   for (const char* text : {"", "1x", " 1", "nan", "inf", "1e400", "+-1", "0x10", "1,5"})
     CHECK_MESSAGE(!finite_number(text), text);
   CHECK(whole_number("12") == 12);
-  for (const char* text : {"", "1.0", "99999999999", "1e3"})
-    CHECK_MESSAGE(!whole_number(text), text);
+  for (const char* text : {"", "1.0", "99999999999", "1e3"}) CHECK_MESSAGE(!whole_number(text), text);
   CHECK(split("a,,b", ',') == std::vector<std::string>{"a", "", "b"});
   CHECK(std::stod(to_text(0.1 + 0.2)) == 0.1 + 0.2);
 }
