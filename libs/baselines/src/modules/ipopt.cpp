@@ -1,6 +1,6 @@
 // Ipopt (Waechter, Biegler 2006) as a module of its own, which nothing but the program's interface ties to
 // the library.
-#include "../nonlinear_program.hpp"
+#include "nonlinear_program.hpp"
 
 #include <IpIpoptApplication.hpp>
 #include <IpIpoptCalculatedQuantities.hpp>

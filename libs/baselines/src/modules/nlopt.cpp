@@ -1,5 +1,5 @@
 // NLopt (Johnson) as a module of its own, which nothing but the program's interface ties to the library.
-#include "../nonlinear_program.hpp"
+#include "nonlinear_program.hpp"
 
 #include <nlopt.h>
 
