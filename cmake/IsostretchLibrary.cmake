@@ -16,6 +16,7 @@ define_property(GLOBAL PROPERTY ISOSTRETCH_FEATURES BRIEF_DOCS "lines of the con
 
 # isostretch_add_library(newton
 #   SOURCES src/a.cpp ...            compiled plainly; leave out for a header-only library
+#   SEPARATE src/c.cpp ... or ALL    those of them that are compiled by themselves in a unity build: their names clash
 #   KERNELS src/k.cpp ...            compiled once per instruction-set level (IsostretchKernels.cmake)
 #   COMPONENTS assembly ...          our own libraries, public
 #   PACKAGES "Eigen3 3.4 NO_MODULE"  find_package calls that a consumer of this component needs too
@@ -28,7 +29,7 @@ define_property(GLOBAL PROPERTY ISOSTRETCH_FEATURES BRIEF_DOCS "lines of the con
 #   BENCHES bench/b.cpp ...)         one Google Benchmark program
 function(isostretch_add_library name)
   cmake_parse_arguments(A "" ""
-    "SOURCES;KERNELS;COMPONENTS;PACKAGES;LINK;LINK_PRIVATE;TESTS;TEST_COMPONENTS;TEST_PACKAGES;TEST_LINK;BENCHES" ${ARGN})
+    "SOURCES;SEPARATE;KERNELS;COMPONENTS;PACKAGES;LINK;LINK_PRIVATE;TESTS;TEST_COMPONENTS;TEST_PACKAGES;TEST_LINK;BENCHES" ${ARGN})
   if(A_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "isostretch_add_library(${name}): unknown arguments ${A_UNPARSED_ARGUMENTS}")
   endif()
@@ -37,6 +38,10 @@ function(isostretch_add_library name)
     set(scope PUBLIC)
     add_library(${target} ${A_SOURCES})
     isostretch_enable_warnings(${target})
+    if(ISOSTRETCH_UNITY_BUILD AND NOT A_SEPARATE STREQUAL "ALL")
+      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+      set_source_files_properties(${A_SEPARATE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
     isostretch_add_kernels(${target} ${A_KERNELS})
     # A shared library calls its own copies of Eigen's inline functions, not those of a program that may have been
     # compiled with another -march and allocates differently.

@@ -1,5 +1,7 @@
 #include "constrained_program.hpp"
 
+#include <isostretch/core/index.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -9,10 +11,6 @@ namespace isostretch::baselines {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 }  // namespace
 

@@ -2,6 +2,8 @@
 
 #include "corners.hpp"
 
+#include <isostretch/core/index.hpp>
+
 #include <array>
 #include <cstddef>
 
@@ -9,10 +11,6 @@ namespace isostretch::baselines {
 namespace {
 
 constexpr int most_entries = 6, most_functions = 7, most_columns = 13;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // Entries of a symmetric matrix: 00, 01, 11 or 00, 01, 02, 11, 12, 22.
 using Entries = std::array<double, most_entries>;

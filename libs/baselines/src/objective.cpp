@@ -2,18 +2,12 @@
 
 #include "corners.hpp"
 
+#include <isostretch/core/index.hpp>
+
 #include <algorithm>
 #include <cstddef>
 
 namespace isostretch::baselines {
-namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
-
-}  // namespace
-
 EnergyObjective::EnergyObjective(const sdp_penalty::Problem& problem)
     : problem_(problem), target_curvature_(at(problem.dim() * problem.node_count()), 0.0) {
   for (const sdp_penalty::Target& target : problem.targets)

@@ -1,6 +1,7 @@
 #include "bounded_minimum.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/index.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,6 @@ namespace {
 constexpr int sweeps = 40;
 
 enum class Held : std::uint8_t { no, at_zero, at_one };
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double clip(double w) {
   return std::clamp(w, 0.0, 1.0);

@@ -4,6 +4,7 @@
 
 #include <isostretch/assembly/operators.hpp>
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/handles/bounded_weights.hpp>
 #include <isostretch/handles/elements.hpp>
@@ -17,10 +18,6 @@ namespace isostretch::handles {
 namespace {
 
 constexpr int none = -1, several = -2;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::string handle_name(int h) {
   return "weights: handle " + std::to_string(h);

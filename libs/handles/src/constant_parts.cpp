@@ -1,11 +1,9 @@
 #include "constant_parts.hpp"
 
+#include <isostretch/core/index.hpp>
+
 namespace isostretch::handles {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Part {
   std::vector<int> nodes;

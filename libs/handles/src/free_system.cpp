@@ -3,16 +3,13 @@
 #include "constant_parts.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/sparse/solver.hpp>
 
 #include <algorithm>
 
 namespace isostretch::handles {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 void require(const std::string& message) {
   if (!message.empty()) throw Error("weights: the system of the free nodes: " + message);

@@ -2,6 +2,8 @@
 
 #include "stiffness.hpp"
 
+#include <isostretch/core/index.hpp>
+
 #include <vector>
 
 namespace isostretch::handles {
@@ -23,7 +25,6 @@ class Relaxation {
   void relax(const std::vector<int>& nodes, std::vector<double>& w) const;
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   void relax_node(int n, std::vector<double>& w) const;
 
   std::vector<std::size_t> start_;  // of the rows; one more than there are

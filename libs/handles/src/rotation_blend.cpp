@@ -1,4 +1,5 @@
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/handles/rotation_blend.hpp>
 
 #include <Eigen/Geometry>
@@ -11,10 +12,6 @@ namespace isostretch::handles {
 namespace {
 
 using Quaternion = Eigen::Vector4d;  // (x, y, z, w)
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::string rotation_name(std::size_t h) {
   return "rotations: the turn of handle " + std::to_string(h);

@@ -4,7 +4,7 @@ namespace isostretch::scene {
 namespace {
 
 // Readers take the keys of objects from here, so that no key is known to one and not to the other.
-constexpr const char* text = R"json({
+constexpr const char* definitions_json = R"json({
   "point": {
     "description": "Coordinates, two in the plane and three in space",
     "type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 3
@@ -273,7 +273,7 @@ constexpr const char* text = R"json({
 }  // namespace
 
 const Value& definitions() {
-  static const Value all = parse_json(text, "definitions of scenes");
+  static const Value all = parse_json(definitions_json, "definitions of scenes");
   return all;
 }
 

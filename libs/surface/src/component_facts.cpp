@@ -1,7 +1,7 @@
 #include "defects.hpp"
 #include "orient.hpp"
 
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/mesh/measure.hpp>
 #include <isostretch/surface/components.hpp>
 

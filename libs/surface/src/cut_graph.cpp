@@ -2,7 +2,7 @@
 
 #include "shortest_paths.hpp"
 
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/surface/topology.hpp>
 
 #include <algorithm>

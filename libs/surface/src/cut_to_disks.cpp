@@ -1,8 +1,8 @@
 #include "cuttable.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/mesh/gather.hpp>
-#include <isostretch/mesh/index.hpp>
 #include <isostretch/mesh/measure.hpp>
 #include <isostretch/surface/components.hpp>
 #include <isostretch/surface/cut.hpp>

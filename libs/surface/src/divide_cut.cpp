@@ -1,8 +1,8 @@
 #include "overlap_parts.hpp"
 
 #include <isostretch/core/error.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/mesh/gather.hpp>
-#include <isostretch/mesh/index.hpp>
 #include <isostretch/mesh/measure.hpp>
 #include <isostretch/surface/cut.hpp>
 #include <isostretch/surface/topology.hpp>

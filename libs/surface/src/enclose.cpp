@@ -2,7 +2,7 @@
 #include "triangle_graph.hpp"
 
 #include <isostretch/core/error.hpp>
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/mesh/measure.hpp>
 #include <isostretch/surface/cut.hpp>
 

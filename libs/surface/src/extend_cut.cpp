@@ -3,7 +3,7 @@
 #include "spur.hpp"
 
 #include <isostretch/core/error.hpp>
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/mesh/measure.hpp>
 #include <isostretch/surface/components.hpp>
 #include <isostretch/surface/cut.hpp>

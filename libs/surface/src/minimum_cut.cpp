@@ -1,6 +1,6 @@
 #include "minimum_cut.hpp"
 
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "orient.hpp"
 
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 
 #include <algorithm>
 #include <numeric>

@@ -3,7 +3,7 @@
 #include "parallel_blocks.hpp"
 #include "plane_triangles.hpp"
 
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/surface/overlap.hpp>
 
 #include <algorithm>

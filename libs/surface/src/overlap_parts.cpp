@@ -3,7 +3,7 @@
 #include "minimum_cut.hpp"
 #include "triangle_graph.hpp"
 
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/mesh/measure.hpp>
 #include <isostretch/surface/overlap.hpp>
 

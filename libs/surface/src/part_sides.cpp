@@ -1,7 +1,7 @@
 
 #include "exact_side.hpp"
 
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/surface/overlap.hpp>
 #include <isostretch/surface/topology.hpp>
 

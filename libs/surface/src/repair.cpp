@@ -1,7 +1,7 @@
 #include "orient.hpp"
 
+#include <isostretch/core/index.hpp>
 #include <isostretch/mesh/gather.hpp>
-#include <isostretch/mesh/index.hpp>
 #include <isostretch/mesh/measure.hpp>
 #include <isostretch/mesh/require.hpp>
 #include <isostretch/surface/repair.hpp>

@@ -1,5 +1,5 @@
 
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/mesh/measure.hpp>
 #include <isostretch/mesh/require.hpp>
 #include <isostretch/surface/repair.hpp>

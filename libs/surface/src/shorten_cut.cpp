@@ -1,7 +1,7 @@
 #include "cut_graph.hpp"
 #include "shortest_paths.hpp"
 
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "spur.hpp"
 
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/surface/cut.hpp>
 #include <isostretch/surface/topology.hpp>
 

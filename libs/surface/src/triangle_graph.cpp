@@ -2,7 +2,7 @@
 
 #include "spur.hpp"
 
-#include <isostretch/mesh/index.hpp>
+#include <isostretch/core/index.hpp>
 #include <isostretch/mesh/measure.hpp>
 #include <isostretch/surface/topology.hpp>
 

@@ -2,6 +2,8 @@
 // the library.
 #include "nonlinear_program.hpp"
 
+#include <isostretch/core/index.hpp>
+
 #include <IpIpoptApplication.hpp>
 #include <IpIpoptCalculatedQuantities.hpp>
 #include <IpIpoptData.hpp>
@@ -18,10 +20,6 @@ namespace isostretch::baselines {
 namespace {
 
 constexpr double infinity = 1e20;  // as Ipopt writes it
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 class Nlp final : public Ipopt::TNLP {
  public:

@@ -1,6 +1,8 @@
 // NLopt (Johnson) as a module of its own, which nothing but the program's interface ties to the library.
 #include "nonlinear_program.hpp"
 
+#include <isostretch/core/index.hpp>
+
 #include <nlopt.h>
 
 #include <algorithm>
@@ -17,10 +19,6 @@ namespace isostretch::baselines {
 namespace {
 
 using Optimizer = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 // minimise f such that -c(x) <= 0, as NLopt asks for it: all derivatives dense. Gradients are counted as
 // iterations, which NLopt does not tell.
