@@ -13,7 +13,7 @@
 
 namespace isostretch::comparison {
 
-/// What is compared, and how.
+/// The choices of a comparison of solvers.
 struct SolverBenchmarkOptions {
   std::string solvers;                       ///< Which solvers, see choose_solvers().
   std::filesystem::path out;                 ///< Folder for results and runs.
@@ -23,7 +23,7 @@ struct SolverBenchmarkOptions {
   int frame = 1;                             ///< The frame that is compared on.
   double gap = 0;                            ///< Relative gap that is asked for.
   int threads = 0;                           ///< Threads of each run; 0: as the program likes.
-  int thread_count = 1;                      ///< What these come to, for the reports.
+  int thread_count = 1;                      ///< Number of these threads, for the reports.
   double time_limit = 0;                     ///< Seconds of each run; 0: no limit.
   double memory_limit = 0;                   ///< Megabytes of each run; 0: no limit.
   bool picture = true;                       ///< Whether plots and a page are written.
