@@ -13,8 +13,8 @@
 namespace isostretch::sparse {
 namespace {
 
-constexpr std::array<std::string_view, 5> built_in = {"automatic", "cholmod_supernodal", "cholmod_simplicial",
-                                                      "eigen_ldlt", "pcg"};
+constexpr std::array<std::string_view, 6> built_in = {
+    "automatic", "cholmod_supernodal", "cholmod_simplicial", "multifrontal", "eigen_ldlt", "pcg"};
 
 struct Registered {
   std::string name;
@@ -104,6 +104,7 @@ std::vector<Backend> available_backends() {
     Backend::cholmod_supernodal,
     Backend::cholmod_simplicial,
 #endif
+    Backend::multifrontal,
     Backend::eigen_ldlt,
     Backend::pcg
   };

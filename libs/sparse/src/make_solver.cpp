@@ -3,6 +3,7 @@
 #include "cholmod_solver.hpp"
 #include "direct_solver.hpp"
 #include "eigen_solver.hpp"
+#include "multifrontal_solver.hpp"
 #include "pcg_solver.hpp"
 
 #include <isostretch/core/error.hpp>
@@ -34,6 +35,7 @@ void require_valid(const Options& options) {
 }  // namespace
 
 std::unique_ptr<Solver> make_direct_solver(const Options& options) {
+  if (options.backend == Backend::multifrontal) return make_multifrontal_solver(options);
 #if defined(ISOSTRETCH_WITH_CHOLMOD)
   if (options.backend != Backend::eigen_ldlt) return make_cholmod_solver(options);
 #endif

@@ -19,6 +19,9 @@ enum class Backend {
   /// with ISOSTRETCH_WITH_SUITESPARSE=OFF to leave CHOLMOD out.
   cholmod_supernodal,
   cholmod_simplicial,  ///< CHOLMOD's simplicial factorization.
+  /// Our own multifrontal factorization (library cholesky), in which subtrees and large fronts are shared among
+  /// threads.
+  multifrontal,
   eigen_ldlt,          ///< Eigen's simplicial factorization.
   pcg                  ///< Conjugate gradients with a preconditioner.
 };

@@ -1,0 +1,209 @@
+#include "elimination_tree.hpp"
+#include "supernode_tree.hpp"
+
+#include <isostretch/cholesky/analysis.hpp>
+#include <isostretch/core/error.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace isostretch::cholesky {
+namespace {
+
+// Vectors of kernels may read and write so many values beyond the last row of a column.
+constexpr std::int64_t widest = 8;
+
+std::int64_t padded(std::int64_t rows) {
+  return (rows + widest - 1 + widest - 1) / widest * widest;
+}
+
+void require_valid(const Pattern& pattern, std::span<const int> order) {
+  const auto fail = [](const std::string& text) { throw Error(ErrorKind::misuse, "cholesky: " + text); };
+  if (pattern.size < 0) fail("the size is negative");
+  for (int j = 0; j < pattern.size; ++j) {
+    if (pattern.column_start[j] > pattern.column_start[j + 1])
+      fail("column " + std::to_string(j) + " ends before it begins");
+    bool diagonal = false;
+    for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k) {
+      if (pattern.row[k] < j || pattern.row[k] >= pattern.size)
+        fail("column " + std::to_string(j) + " has row " + std::to_string(pattern.row[k]) +
+             ", which is not in the lower triangle");
+      diagonal |= pattern.row[k] == j;
+    }
+    if (!diagonal) fail("column " + std::to_string(j) + " has no diagonal entry");
+  }
+  if (order.empty()) return;
+  if (order.size() != static_cast<std::size_t>(pattern.size))
+    fail("the order has another size than the pattern");
+  std::vector<bool> taken(order.size(), false);
+  for (const int unknown : order) {
+    if (unknown < 0 || unknown >= pattern.size || taken[unknown])
+      fail("the order is none: unknown " + std::to_string(unknown));
+    taken[unknown] = true;
+  }
+}
+
+std::vector<int> inverse(const std::vector<int>& order) {
+  std::vector<int> position(order.size());
+  for (std::size_t p = 0; p < order.size(); ++p) position[order[p]] = static_cast<int>(p);
+  return position;
+}
+
+std::vector<int> composed(const std::vector<int>& order, const std::vector<int>& of) {
+  std::vector<int> result(of.size());
+  for (std::size_t p = 0; p < of.size(); ++p) result[p] = order[of[p]];
+  return result;
+}
+
+std::vector<int> renumbered(const std::vector<int>& parent, const std::vector<int>& order) {
+  const std::vector<int> position = inverse(order);
+  std::vector<int> result(parent.size());
+  for (std::size_t p = 0; p < order.size(); ++p)
+    result[p] = parent[order[p]] < 0 ? -1 : position[parent[order[p]]];
+  return result;
+}
+
+// Fills a Structure, supernode by supernode.
+class StructureBuilder {
+ public:
+  StructureBuilder(const SupernodeTree& tree, const std::vector<int>& order_of_nodes, const Pattern& pattern,
+                   std::vector<int> column_order)
+      : pattern_(pattern) {
+    number(tree, order_of_nodes, column_order);
+    later_ = later_neighbours(pattern, inverse(structure_.order));
+    std::vector<std::vector<int>> children(static_cast<std::size_t>(count_));
+    for (int s = 0; s < count_; ++s)
+      if (structure_.supernode[s].parent >= 0) children[structure_.supernode[s].parent].push_back(s);
+    place_.assign(structure_.order.size(), -1);
+    for (int s = 0; s < count_; ++s) add(s, children[s]);
+    structure_.place_in_parent.resize(structure_.row.size());
+    for (int s = 0; s < count_; ++s) link(s, children[s]);
+    measure();
+  }
+
+  Structure take() { return std::move(structure_); }
+
+ private:
+  void number(const SupernodeTree& tree, const std::vector<int>& order_of_nodes,
+              const std::vector<int>& column_order) {
+    count_ = static_cast<int>(order_of_nodes.size());
+    structure_.supernode.resize(static_cast<std::size_t>(count_) + 1);
+    std::vector<int> number_of(tree.node.size(), -1);
+    for (int s = 0; s < count_; ++s) number_of[order_of_nodes[s]] = s;
+    for (int s = 0; s < count_; ++s) {
+      const SupernodeTree::Node& node = tree.node[order_of_nodes[s]];
+      Supernode& supernode = structure_.supernode[s];
+      supernode.first = static_cast<int>(structure_.order.size());
+      supernode.columns = node.columns;
+      supernode.rows = node.rows;
+      supernode.parent = node.parent < 0 ? -1 : number_of[node.parent];
+      for (int j = node.first; j != -1; j = tree.next[j]) structure_.order.push_back(column_order[j]);
+    }
+    structure_.supernode.back().first = static_cast<int>(structure_.order.size());
+  }
+
+  // Rows, values and children of a supernode, all of whose children are there.
+  void add(int s, const std::vector<int>& children) {
+    Supernode& node = structure_.supernode[s];
+    node.row = static_cast<std::int64_t>(structure_.row.size());
+    node.values = structure_.values;
+    node.leading = padded(node.rows);
+    node.child = static_cast<std::int64_t>(structure_.child.size());
+    if (node.leading * node.rows > std::numeric_limits<std::uint32_t>::max())
+      throw Error(ErrorKind::resource,
+                  "cholesky: a front of " + std::to_string(node.rows) + " rows is too large");
+    structure_.values += node.leading * node.columns;
+    structure_.child.insert(structure_.child.end(), children.begin(), children.end());
+    const int end = node.first + node.columns;
+    const auto take = [&](int position) {
+      if (position < end || place_[position] == s) return;
+      place_[position] = s;
+      structure_.row.push_back(position);
+    };
+    for (int k = later_.start[node.first]; k < later_.start[end]; ++k) take(later_.position[k]);
+    for (const int c : children) {
+      const Supernode& child = structure_.supernode[c];
+      for (int i = 0; i < child.update_rows(); ++i)
+        take(structure_.row[static_cast<std::size_t>(child.row + i)]);
+    }
+    std::sort(structure_.row.begin() + node.row, structure_.row.end());
+  }
+
+  // Where entries of A and rows of the children stand in the front.
+  void link(int s, const std::vector<int>& children) {
+    Supernode& node = structure_.supernode[s];
+    const int end = node.first + node.columns;
+    for (int i = 0; i < node.columns; ++i) place_[node.first + i] = i;
+    for (int i = 0; i < node.update_rows(); ++i)
+      place_[structure_.row[static_cast<std::size_t>(node.row + i)]] = node.columns + i;
+    node.entry = static_cast<std::int64_t>(structure_.entry.size());
+    for (int j = node.first; j < end; ++j)
+      for (int k = later_.start[j]; k < later_.start[j + 1]; ++k)
+        structure_.entry.push_back(
+            {later_.entry[k],
+             static_cast<std::uint32_t>((j - node.first) * node.leading + place_[later_.position[k]])});
+    for (const int c : children) {
+      const Supernode& child = structure_.supernode[c];
+      for (std::int64_t i = child.row; i < child.row + child.update_rows(); ++i)
+        structure_.place_in_parent[static_cast<std::size_t>(i)] =
+            place_[structure_.row[static_cast<std::size_t>(i)]];
+    }
+  }
+
+  void measure() {
+    Supernode& end = structure_.supernode.back();
+    end.row = static_cast<std::int64_t>(structure_.row.size());
+    end.values = structure_.values;
+    end.entry = static_cast<std::int64_t>(structure_.entry.size());
+    end.child = static_cast<std::int64_t>(structure_.child.size());
+    for (int s = 0; s < count_; ++s) {
+      Supernode& node = structure_.supernode[s];
+      for (int j = 0; j < node.columns; ++j) node.subtree_flops += double(node.rows - j) * (node.rows - j);
+      std::int64_t held = 0;
+      for (std::int64_t k = node.child; k < structure_.supernode[s + 1].child; ++k) {
+        const Supernode& child = structure_.supernode[structure_.child[static_cast<std::size_t>(k)]];
+        node.subtree_flops += child.subtree_flops;
+        node.stack = std::max(node.stack, held + child.stack);
+        held += padded(child.update_rows()) * child.update_rows();
+      }
+      node.stack = std::max(node.stack, held + padded(node.update_rows()) * node.update_rows());
+    }
+  }
+
+  const Pattern& pattern_;
+  Structure structure_;
+  LaterNeighbours later_;
+  std::vector<int> place_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+Analysis::Analysis() {
+  structure_.supernode.resize(1);
+}
+
+Analysis::Analysis(const Pattern& pattern, std::span<const int> order, const Amalgamation& merge) {
+  require_valid(pattern, order);
+  std::vector<int> column_order(order.begin(), order.end());
+  if (order.empty()) {
+    column_order.resize(static_cast<std::size_t>(pattern.size));
+    std::iota(column_order.begin(), column_order.end(), 0);
+  }
+  std::vector<int> parent = elimination_tree(later_neighbours(pattern, inverse(column_order)));
+  const std::vector<int> post = postorder(parent);
+  parent = renumbered(parent, post);
+  column_order = composed(column_order, post);
+  const std::vector<int> count = column_counts(later_neighbours(pattern, inverse(column_order)), parent);
+  for (const int entries : count) {
+    factor_nonzeros_ += entries;
+    factor_flops_ += double(entries) * entries;
+  }
+  SupernodeTree tree = fundamental_supernodes(parent, count);
+  merge_supernodes(tree, merge);
+  structure_ = StructureBuilder(tree, order_of_small_stack(tree), pattern, std::move(column_order)).take();
+}
+
+}  // namespace isostretch::cholesky

@@ -1,0 +1,326 @@
+#include "elimination.hpp"
+#include "threads.hpp"
+
+#include <isostretch/core/dispatch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace isostretch::cholesky {
+
+ISOSTRETCH_DISPATCH(FrontTable, table)
+
+namespace {
+
+// Columns of a front that are factorised before the rest is updated with them: what a thread reads of them
+// again and again stays in its cache.
+constexpr int block_columns = 128;
+
+// Vectors of kernels may go on so far beyond the last value.
+constexpr std::int64_t overhang = 16;
+
+// Operations from which a loop is worth sharing among threads.
+constexpr double worth_sharing = 2e5;
+
+std::size_t size(std::int64_t number) {
+  return static_cast<std::size_t>(number);
+}
+
+// A parallel region of one thread costs as much as a small front.
+template <class Work>
+void for_each(int begin, int end, int grain, bool shared, const Work& work) {
+  if (shared && end - begin > grain) {
+#pragma omp parallel for schedule(dynamic, grain)
+    for (int i = begin; i < end; ++i) work(i);
+  } else {
+    for (int i = begin; i < end; ++i) work(i);
+  }
+}
+
+// The later rows of a triangle have more columns: these come first.
+template <class Work>
+void for_chunks(int rows, bool shared, const Work& work) {
+  const int count = (rows + chunk_rows - 1) / chunk_rows;
+  for_each(0, count, 1, shared, [&](int i) {
+    const int begin = (count - 1 - i) * chunk_rows;
+    work(begin, std::min(rows, begin + chunk_rows));
+  });
+}
+
+}  // namespace
+
+Factor::Elimination::Elimination(const Analysis& analysis)
+    : analysis_(analysis), structure_(analysis.structure()), schedule_(structure_) {}
+
+std::int64_t Factor::Elimination::bytes(int threads) const {
+  const std::int64_t values = structure_.values + schedule_.pool + threads * schedule_.stack +
+                              (2 + threads) * overhang + static_cast<std::int64_t>(structure_.row.size());
+  return values * static_cast<std::int64_t>(sizeof(double)) +
+         static_cast<std::int64_t>(structure_.supernode.size() * sizeof(double*));
+}
+
+bool Factor::Elimination::take_memory(int threads) {
+  if (most_bytes > 0 && bytes(threads) > most_bytes) return false;
+  try {
+    update_of_.resize(structure_.supernode.size());
+    carried_.resize(structure_.row.size());
+    if (stack_.size() < size(threads)) {
+      const std::size_t had = stack_.size();
+      stack_.resize(size(threads));
+      for (std::size_t thread = had; thread < stack_.size(); ++thread)
+        if (!stack_[thread].allocate(schedule_.stack + overhang)) {
+          stack_.resize(thread);
+          return false;
+        }
+    }
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
+  return (factor_.data() != nullptr || factor_.allocate(structure_.values + overhang)) &&
+         (pool_.data() != nullptr || pool_.allocate(schedule_.pool + overhang));
+}
+
+FactorizeResult Factor::Elimination::factorize(const double* values) {
+  ready = false;
+  kernels_ = &active_table();
+  if (!take_memory(most_threads())) return {FactorizeStatus::out_of_memory, -1};
+  values_ = values;
+  failed_ = analysis_.size();
+  run_subtrees();
+  for (const int s : schedule_.top) {
+    if (failed_ < analysis_.size()) break;
+    eliminate(s, pool_.data() + schedule_.update[size(s)], true);
+  }
+  if (failed_ < analysis_.size())
+    return {not_finite_ ? FactorizeStatus::not_finite : FactorizeStatus::not_positive_definite,
+            structure_.order[size(failed_)]};
+  ready = true;
+  return {};
+}
+
+// A subtree is left out only where a pivot before all of its own has failed: then the first that fails is
+// found whatever the threads do.
+void Factor::Elimination::run_subtrees() {
+  const int count = static_cast<int>(schedule_.subtree.size());
+#pragma omp parallel for schedule(dynamic, 1) if (count > 1)
+  for (int i = 0; i < count; ++i) {
+    const Schedule::Subtree& part = schedule_.subtree[size(i)];
+    if (failed_ < structure_.supernode[size(part.begin)].first) continue;
+    subtree(part, stack_[size(this_thread())].data());
+  }
+}
+
+// Update matrices lie on the stack one after the other, those of the children of a supernode on top. Its own
+// is made above them and takes their place.
+void Factor::Elimination::subtree(const Schedule::Subtree& part, double* stack) {
+  double* top = stack;
+  for (int s = part.begin; s <= part.root; ++s) {
+    const Supernode& node = structure_.supernode[size(s)];
+    double* bottom = top;
+    if (structure_.supernode[size(s) + 1].child > node.child)
+      bottom = update_of_[size(structure_.child[size(node.child)])];
+    double* made = s == part.root ? pool_.data() + schedule_.update[size(s)] : top;
+    if (!eliminate(s, made, false)) return;
+    if (s == part.root) return;
+    if (made != bottom) std::memmove(bottom, made, size(update_values(node)) * sizeof(double));
+    update_of_[size(s)] = bottom;
+    top = bottom + update_values(node);
+  }
+}
+
+Factor::Elimination::Place Factor::Elimination::place_of(int s, double* update) const {
+  const Supernode& node = structure_.supernode[size(s)];
+  return {{factor_.data() + node.values, size(node.leading), node.rows, node.columns},
+          update,
+          size(update_leading(node)),
+          node.update_rows()};
+}
+
+bool Factor::Elimination::eliminate(int s, double* update, bool together) {
+  const Place place = place_of(s, update);
+  const bool shared = together && double(place.front.rows) * place.front.rows > worth_sharing / 8;
+  assemble(s, place, shared);
+  if (!factorize_columns(s, place, shared)) return false;
+  if (place.update_rows > 0) {
+    make_update(place, shared);
+    const Supernode& node = structure_.supernode[size(s)];
+    for (std::int64_t k = node.child; k < structure_.supernode[size(s) + 1].child; ++k)
+      add_update_of(structure_.child[size(k)], place, true, shared);
+  }
+  update_of_[size(s)] = update;
+  return true;
+}
+
+void Factor::Elimination::assemble(int s, const Place& place, bool shared) {
+  const Supernode& node = structure_.supernode[size(s)];
+  const Front& front = place.front;
+  for_each(0, front.columns, 64, shared, [&](int j) {
+    std::memset(front.values + size(j) * front.leading, 0, front.leading * sizeof(double));
+  });
+  for (std::int64_t k = node.entry; k < structure_.supernode[size(s) + 1].entry; ++k) {
+    const EntryPlace& entry = structure_.entry[size(k)];
+    front.values[entry.offset] += values_[entry.entry];
+  }
+  for (std::int64_t k = node.child; k < structure_.supernode[size(s) + 1].child; ++k)
+    add_update_of(structure_.child[size(k)], place, false, shared);
+}
+
+// The columns of the child's update matrix that belong to the columns of the front, or those that belong to
+// its update matrix.
+void Factor::Elimination::add_update_of(int c, const Place& place, bool to_update, bool shared) {
+  const Supernode& child = structure_.supernode[size(c)];
+  const int rows = child.update_rows(), columns = place.front.columns;
+  const int* where = structure_.place_in_parent.data() + child.row;
+  const int middle = static_cast<int>(std::lower_bound(where, where + rows, columns) - where);
+  const double* from = update_of_[size(c)];
+  const std::size_t leading = size(update_leading(child));
+  const int begin = to_update ? middle : 0, end = to_update ? rows : middle;
+  for_each(begin, end, 16, shared, [&](int j) {
+    double* to = to_update ? place.update + size(where[j] - columns) * place.update_leading - columns
+                           : place.front.values + size(where[j]) * place.front.leading;
+    const double* column = from + size(j) * leading;
+    for (int i = j; i < rows; ++i) to[where[i]] += column[i];
+  });
+}
+
+bool Factor::Elimination::factorize_columns(int s, const Place& place, bool shared) {
+  const Front& front = place.front;
+  const int panel = kernels_->panel;
+  double inverse[8];
+  for (int from = 0; from < front.columns; from += block_columns) {
+    const int end = std::min(front.columns, from + block_columns);
+    for (int first = from; first < end; first += panel) {
+      const int count = std::min(panel, end - first), below = first + count;
+      const int done = kernels_->diagonal(front, from, first, count, inverse);
+      if (done < count) {
+        note_failure(structure_.supernode[size(s)].first + first + done, inverse[done]);
+        return false;
+      }
+      const double work = double(front.rows - below) * (below - from) * count;
+      for_chunks(front.rows - below, shared && work > worth_sharing, [&](int begin, int last) {
+        kernels_->below(front, from, first, count, inverse, below + begin, below + last);
+      });
+    }
+    if (end == front.columns) break;
+    const double* a = front.values + size(from) * front.leading + size(end);
+    double* c = front.values + size(end) * front.leading + size(end);
+    for_chunks(front.rows - end, shared, [&](int begin, int last) {
+      kernels_->update(a, front.leading, end - from, c, front.leading, front.columns - end, begin, last,
+                       true);
+    });
+  }
+  return true;
+}
+
+void Factor::Elimination::make_update(const Place& place, bool shared) {
+  const Front& front = place.front;
+  for_chunks(place.update_rows, shared, [&](int begin, int end) {
+    for (int from = 0; from < front.columns; from += block_columns)
+      kernels_->update(front.values + size(from) * front.leading + size(front.columns), front.leading,
+                       std::min(block_columns, front.columns - from), place.update, place.update_leading,
+                       place.update_rows, begin, end, from > 0);
+  });
+}
+
+void Factor::Elimination::note_failure(int position, double pivot) {
+  const std::lock_guard lock(failing_);
+  if (position >= failed_) return;
+  failed_ = position;
+  not_finite_ = !std::isfinite(pivot);
+}
+
+void Factor::Elimination::solve(const double* b, double* x, int columns) {
+  const std::size_t n = size(analysis_.size());
+  if (columns == 1) {
+    std::vector<double> positions(n);
+    for (std::size_t p = 0; p < n; ++p) positions[p] = b[structure_.order[p]];
+    solve_one(positions.data());
+    for (std::size_t p = 0; p < n; ++p) x[structure_.order[p]] = positions[p];
+    return;
+  }
+  const int groups = (columns + wide - 1) / wide, threads = std::min(groups, most_threads());
+  const std::size_t each = (n + size(schedule_.most_rows)) * wide;
+  std::vector<double> space(each * size(threads));
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1)
+  for (int group = 0; group < groups; ++group) {
+    double* own = space.data() + each * size(this_thread());
+    const std::size_t first = size(group) * wide * n;
+    solve_wide(b + first, x + first, std::min(wide, columns - group * wide), own, own + n * wide);
+  }
+}
+
+void Factor::Elimination::solve_one(double* x) {
+  const int count = static_cast<int>(schedule_.subtree.size());
+  const auto in_subtrees = [&](const auto& visit) {
+#pragma omp parallel if (count > 1 && structure_.values > 100'000)
+    {
+      std::vector<double> t(size(schedule_.most_rows) + size(overhang), 0.0);
+#pragma omp for schedule(dynamic, 1)
+      for (int i = 0; i < count; ++i) visit(schedule_.subtree[size(i)], t.data());
+    }
+  };
+  std::vector<double> t(size(schedule_.most_rows) + size(overhang), 0.0);
+  in_subtrees([&](const Schedule::Subtree& part, double* own) {
+    for (int s = part.begin; s <= part.root; ++s) forward(s, x, own);
+  });
+  for (const int s : schedule_.top) forward(s, x, t.data());
+  for (auto s = schedule_.top.rbegin(); s != schedule_.top.rend(); ++s) backward(*s, x, t.data());
+  in_subtrees([&](const Schedule::Subtree& part, double* own) {
+    for (int s = part.root; s >= part.begin; --s) backward(s, x, own);
+  });
+}
+
+void Factor::Elimination::forward(int s, double* x, double* t) {
+  const Supernode& node = structure_.supernode[size(s)];
+  std::copy_n(x + node.first, node.columns, t);
+  std::fill_n(t + node.columns, node.update_rows(), 0.0);
+  for (std::int64_t k = node.child; k < structure_.supernode[size(s) + 1].child; ++k) {
+    const Supernode& child = structure_.supernode[size(structure_.child[size(k)])];
+    const int* where = structure_.place_in_parent.data() + child.row;
+    const double* carried = carried_.data() + child.row;
+    for (int i = 0; i < child.update_rows(); ++i) t[where[i]] += carried[i];
+  }
+  kernels_->forward(place_of(s, nullptr).front, t);
+  std::copy_n(t, node.columns, x + node.first);
+  std::copy_n(t + node.columns, node.update_rows(), carried_.data() + node.row);
+}
+
+void Factor::Elimination::backward(int s, double* x, double* t) const {
+  const Supernode& node = structure_.supernode[size(s)];
+  std::copy_n(x + node.first, node.columns, t);
+  for (int i = 0; i < node.update_rows(); ++i) t[node.columns + i] = x[structure_.row[size(node.row + i)]];
+  kernels_->backward(place_of(s, nullptr).front, t);
+  std::copy_n(t, node.columns, x + node.first);
+}
+
+void Factor::Elimination::solve_wide(const double* b, double* x, int columns, double* own, double* t) const {
+  const std::size_t n = size(analysis_.size());
+  for (std::size_t p = 0; p < n; ++p)
+    for (int r = 0; r < wide; ++r)
+      own[p * wide + size(r)] = r < columns ? b[size(r) * n + size(structure_.order[p])] : 0.0;
+  const auto move = [&](const Supernode& node, bool to_front, bool rest) {
+    double* columns_of = own + size(node.first) * wide;
+    const std::size_t bytes = wide * sizeof(double);
+    std::memcpy(to_front ? t : columns_of, to_front ? columns_of : t, size(node.columns) * bytes);
+    for (int i = 0; rest && i < node.update_rows(); ++i) {
+      double *row = own + size(structure_.row[size(node.row + i)]) * wide,
+             *at = t + size(node.columns + i) * wide;
+      std::memcpy(to_front ? at : row, to_front ? row : at, bytes);
+    }
+  };
+  for (int s = 0; s < structure_.count(); ++s) {
+    move(structure_.supernode[size(s)], true, true);
+    kernels_->forward_wide(place_of(s, nullptr).front, t);
+    move(structure_.supernode[size(s)], false, true);
+  }
+  for (int s = structure_.count() - 1; s >= 0; --s) {
+    move(structure_.supernode[size(s)], true, true);
+    kernels_->backward_wide(place_of(s, nullptr).front, t);
+    move(structure_.supernode[size(s)], false, false);
+  }
+  for (std::size_t p = 0; p < n; ++p)
+    for (int r = 0; r < columns; ++r) x[size(r) * n + size(structure_.order[p])] = own[p * wide + size(r)];
+}
+
+}  // namespace isostretch::cholesky

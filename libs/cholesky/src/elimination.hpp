@@ -1,0 +1,66 @@
+#pragma once
+
+#include "buffer.hpp"
+#include "front_table.hpp"
+#include "schedule.hpp"
+
+#include <isostretch/cholesky/factor.hpp>
+
+#include <atomic>
+#include <mutex>
+#include <vector>
+
+namespace isostretch::cholesky {
+
+// The factor and what making it takes.
+class Factor::Elimination {
+ public:
+  explicit Elimination(const Analysis& analysis);
+
+  std::int64_t bytes(int threads) const;
+  FactorizeResult factorize(const double* values);
+  void solve(const double* b, double* x, int columns);
+
+  std::int64_t most_bytes = 0;
+  bool ready = false;
+
+ private:
+  // Of one supernode: its own columns and its update matrix, where that is made.
+  struct Place {
+    Front front;
+    double* update = nullptr;
+    std::size_t update_leading = 0;
+    int update_rows = 0;
+  };
+  Place place_of(int s, double* update) const;
+
+  bool take_memory(int threads);
+  void run_subtrees();
+  void subtree(const Schedule::Subtree& part, double* stack);
+  bool eliminate(int s, double* update, bool together);
+  void assemble(int s, const Place& place, bool together);
+  bool factorize_columns(int s, const Place& place, bool together);
+  void make_update(const Place& place, bool together);
+  void add_update_of(int child, const Place& place, bool to_update, bool together);
+  void note_failure(int position, double pivot);
+
+  void solve_one(double* x);
+  void forward(int s, double* x, double* t);
+  void backward(int s, double* x, double* t) const;
+  void solve_wide(const double* b, double* x, int columns, double* wide_x, double* t) const;
+
+  const Analysis& analysis_;
+  const Structure& structure_;
+  Schedule schedule_;
+  const FrontTable* kernels_ = nullptr;
+  const double* values_ = nullptr;  // of A, while it is factorised
+  Buffer factor_, pool_;
+  std::vector<Buffer> stack_;       // of every thread
+  std::vector<double*> update_of_;  // of every supernode, while its parent has not taken it
+  std::vector<double> carried_;     // of every row below a diagonal block: what the forward solve hands on
+  std::atomic<int> failed_{0};      // position of the first pivot that fails; beyond the last: none
+  bool not_finite_ = false;
+  std::mutex failing_;
+};
+
+}  // namespace isostretch::cholesky

@@ -1,0 +1,28 @@
+#include "elimination.hpp"
+
+namespace isostretch::cholesky {
+
+Factor::Factor(const Analysis& analysis) : elimination_(new Elimination(analysis)) {}
+Factor::~Factor() = default;
+
+std::int64_t Factor::bytes(int threads) const {
+  return elimination_->bytes(threads);
+}
+
+void Factor::limit_memory(std::int64_t bytes) {
+  elimination_->most_bytes = bytes;
+}
+
+FactorizeResult Factor::factorize(const double* values) {
+  return elimination_->factorize(values);
+}
+
+bool Factor::is_ready() const {
+  return elimination_->ready;
+}
+
+void Factor::solve(const double* b, double* x, int columns) {
+  elimination_->solve(b, x, columns);
+}
+
+}  // namespace isostretch::cholesky

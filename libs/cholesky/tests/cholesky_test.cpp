@@ -1,0 +1,260 @@
+// Factors of small matrices against dense ones, and what does not depend on threads.
+#include "every_level.hpp"
+
+#include <isostretch/cholesky/factor.hpp>
+#include <isostretch/core/error.hpp>
+
+#include <doctest/doctest.h>
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace isostretch;
+using namespace isostretch::cholesky;
+
+namespace {
+
+// Sets the threads of parallel loops; 0: those there were at first.
+void set_threads([[maybe_unused]] int count) {
+#if defined(_OPENMP)
+  static const int at_first = omp_get_max_threads();
+  omp_set_num_threads(count > 0 ? count : at_first);
+#endif
+}
+
+struct Matrix {
+  int size = 0;
+  std::vector<int> start{0}, row;
+  std::vector<double> value;
+
+  Pattern pattern() const { return {size, start.data(), row.data()}; }
+
+  Eigen::MatrixXd dense() const {
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
+    for (int j = 0; j < size; ++j)
+      for (int k = start[j]; k < start[j + 1]; ++k) A(row[k], j) = A(j, row[k]) = value[k];
+    return A;
+  }
+};
+
+Matrix lower(const Eigen::MatrixXd& A) {
+  Matrix result;
+  result.size = static_cast<int>(A.rows());
+  for (int j = 0; j < result.size; ++j) {
+    for (int i = j; i < result.size; ++i)
+      if (i == j || A(i, j) != 0) {
+        result.row.push_back(i);
+        result.value.push_back(A(i, j));
+      }
+    result.start.push_back(static_cast<int>(result.row.size()));
+  }
+  return result;
+}
+
+// Random pattern with so many entries a column, diagonally dominant.
+Matrix random_matrix(int size, double density, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1), chance(0, 1);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
+  for (int j = 0; j < size; ++j)
+    for (int i = j + 1; i < size; ++i)
+      if (chance(generator) < density) A(i, j) = A(j, i) = uniform(generator);
+  for (int j = 0; j < size; ++j) A(j, j) = A.col(j).cwiseAbs().sum() + 0.1;
+  return lower(A);
+}
+
+// The Laplacian of a grid with so many unknowns a node.
+Matrix grid(int width, int height, int block) {
+  const int n = width * height * block;
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+  const auto couple = [&](int a, int b) {
+    for (int r = 0; r < block; ++r)
+      for (int c = 0; c < block; ++c) {
+        const double w = r == c ? 1.0 : 0.2;
+        A(a * block + r, a * block + c) += w;
+        A(b * block + r, b * block + c) += w;
+        A(a * block + r, b * block + c) -= w;
+        A(b * block + c, a * block + r) -= w;
+      }
+  };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (x + 1 < width) couple(y * width + x, y * width + x + 1);
+      if (y + 1 < height) couple(y * width + x, (y + 1) * width + x);
+    }
+  A.diagonal().array() += 0.01;
+  return lower(A);
+}
+
+std::vector<int> shuffled(int size, unsigned seed) {
+  std::vector<int> order(static_cast<std::size_t>(size));
+  std::iota(order.begin(), order.end(), 0);
+  std::shuffle(order.begin(), order.end(), std::mt19937(seed));
+  return order;
+}
+
+double backward_error(const Matrix& A, const Eigen::VectorXd& x, const Eigen::VectorXd& b) {
+  const Eigen::MatrixXd dense = A.dense();
+  return (dense * x - b).norm() / (dense.norm() * x.norm() + b.norm());
+}
+
+void check_solves(const Matrix& A, std::span<const int> order = {}) {
+  const Analysis analysis(A.pattern(), order);
+  Factor factor(analysis);
+  REQUIRE(factor.factorize(A.value.data()));
+  const Eigen::MatrixXd B = Eigen::MatrixXd::Random(A.size, 11);
+  for (const int columns : {1, 2, 11}) {
+    Eigen::MatrixXd X(A.size, columns);
+    factor.solve(B.data(), X.data(), columns);
+    for (int c = 0; c < columns; ++c) CHECK(backward_error(A, X.col(c), B.col(c)) < 1e-15);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("structure: rows, counts and places fit the factor of the dense matrix") {
+  for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+    const Matrix A = random_matrix(60, 0.03 * seed, seed);
+    for (const bool merge : {false, true}) {
+      Amalgamation options;
+      if (!merge) options = {{0, 0, 0}, {0, 0, 0, 0}};
+      const Analysis analysis(A.pattern(), shuffled(A.size, seed), options);
+      const Structure& s = analysis.structure();
+      Eigen::PermutationMatrix<Eigen::Dynamic> P(A.size);
+      for (int p = 0; p < A.size; ++p) P.indices()[s.order[p]] = p;
+      // Positive values everywhere: nothing cancels.
+      const Eigen::MatrixXd pattern = (A.dense().array() != 0).cast<double>();
+      const Eigen::MatrixXd permuted =
+          P * Eigen::MatrixXd(-pattern + 2 * A.size * Eigen::MatrixXd::Identity(A.size, A.size)) *
+          P.transpose();
+      const Eigen::MatrixXd L = permuted.llt().matrixL();
+      double entries = 0;
+      for (int j = 0; j < A.size; ++j)
+        for (int i = j; i < A.size; ++i) entries += L(i, j) != 0;
+      CHECK(analysis.factor_nonzeros() == entries);
+      int columns = 0;
+      for (int k = 0; k < s.count(); ++k) {
+        const Supernode& node = s.supernode[k];
+        CHECK(node.first == columns);
+        columns += node.columns;
+        CHECK(s.supernode[k + 1].row - node.row == node.update_rows());
+        for (int j = node.first; j < columns; ++j)
+          for (int i = columns; i < A.size; ++i)
+            if (L(i, j) != 0)
+              CHECK(std::binary_search(s.row.begin() + node.row,
+                                       s.row.begin() + node.row + node.update_rows(), i));
+      }
+      CHECK(columns == A.size);
+      CHECK(s.entry.size() == A.row.size());
+    }
+  }
+}
+
+TEST_CASE("solutions of random matrices, grids, and what is hard on a tree") {
+  tests::at_every_level([] {
+    for (const int size : {1, 2, 3, 7, 8, 9, 17, 64, 150})
+      for (const double density : {0.0, 0.02, 0.2, 1.0}) {
+        const Matrix A = random_matrix(size, density, static_cast<unsigned>(size));
+        check_solves(A);
+        check_solves(A, shuffled(size, 5));
+      }
+    for (const int block : {1, 2, 3}) check_solves(grid(13, 9, block), shuffled(13 * 9 * block, 7));
+    // A chain, an arrow and its reverse.
+    Eigen::MatrixXd A = Eigen::MatrixXd::Identity(400, 400) * 3;
+    for (int i = 0; i + 1 < 400; ++i) A(i, i + 1) = A(i + 1, i) = -1;
+    check_solves(lower(A));
+    A = Eigen::MatrixXd::Identity(200, 200) * 300;
+    A.row(0).setOnes();
+    A.col(0).setOnes();
+    A(0, 0) = 300;
+    check_solves(lower(A));
+    check_solves(lower(A.reverse()));
+  });
+}
+
+TEST_CASE("a large front is factorised in blocks") {
+  tests::at_every_level([] { check_solves(random_matrix(700, 1.0, 3)); });
+}
+
+TEST_CASE("the same bits for any number of threads") {
+  const Matrix A = grid(34, 31, 2);
+  const std::vector<int> order = shuffled(A.size, 9);
+  const Analysis analysis(A.pattern(), order);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(A.size);
+  set_threads(0);
+  std::vector<Eigen::VectorXd> solutions;
+  for (const int threads : {1, 2, 3, 5}) {
+    set_threads(threads);
+    Factor factor(analysis);
+    REQUIRE(factor.factorize(A.value.data()));
+    Eigen::VectorXd& x = solutions.emplace_back(A.size);
+    factor.solve(b.data(), x.data());
+    CHECK((x.array() == solutions.front().array()).all());
+  }
+  set_threads(0);
+}
+
+TEST_CASE("a pivot that fails is named, whatever the threads, and the next matrix is factorised") {
+  Matrix A = grid(20, 15, 1);
+  const Analysis analysis(A.pattern(), shuffled(A.size, 3));
+  Factor factor(analysis);
+  const auto diagonal = [&](int unknown) -> double& { return A.value[A.start[unknown]]; };
+  set_threads(0);
+  for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    const int first = analysis.structure().order[100], second = analysis.structure().order[250];
+    const double kept[] = {diagonal(first), diagonal(second)};
+    diagonal(first) = diagonal(second) = bad;
+    for (const int threads : {1, 2, 4}) {
+      set_threads(threads);
+      const FactorizeResult result = factor.factorize(A.value.data());
+      CHECK(result.status ==
+            (std::isfinite(bad) ? FactorizeStatus::not_positive_definite : FactorizeStatus::not_finite));
+      CHECK(result.unknown == first);
+      CHECK_FALSE(factor.is_ready());
+    }
+    diagonal(first) = kept[0];
+    diagonal(second) = kept[1];
+    CHECK(factor.factorize(A.value.data()));
+  }
+  set_threads(0);
+}
+
+TEST_CASE("scale decides nothing: from the smallest numbers to the largest") {
+  for (const double scale : {1e-290, 1e-100, 1.0, 1e100, 1e290}) {
+    Matrix A = grid(9, 9, 2);
+    for (double& value : A.value) value *= scale;
+    const Analysis analysis(A.pattern());
+    Factor factor(analysis);
+    CHECK(factor.factorize(A.value.data()));
+  }
+}
+
+TEST_CASE("the limit of memory is respected before memory is taken") {
+  const Matrix A = grid(20, 20, 1);
+  const Analysis analysis(A.pattern());
+  Factor factor(analysis);
+  factor.limit_memory(factor.bytes(1) - 1);
+  CHECK(factor.factorize(A.value.data()).status == FactorizeStatus::out_of_memory);
+  factor.limit_memory(factor.bytes(64));
+  CHECK(factor.factorize(A.value.data()));
+}
+
+TEST_CASE("patterns and orders that are none are refused") {
+  const std::vector<int> start{0, 2, 3}, upper{0, 1, 0}, none{1, 1, 1};
+  CHECK_THROWS_WITH_AS(Analysis({2, start.data(), upper.data()}), doctest::Contains("column 1 has row 0"),
+                       Error);
+  CHECK_THROWS_WITH_AS(Analysis({2, start.data(), none.data()}), doctest::Contains("no diagonal"), Error);
+  const Matrix A = grid(2, 1, 1);
+  const std::vector<int> twice{0, 0};
+  CHECK_THROWS_WITH_AS(Analysis(A.pattern(), twice), doctest::Contains("unknown 0"), Error);
+  CHECK(Analysis().size() == 0);
+}
