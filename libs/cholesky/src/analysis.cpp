@@ -1,4 +1,5 @@
 #include "elimination_tree.hpp"
+#include "padding.hpp"
 #include "supernode_tree.hpp"
 
 #include <isostretch/cholesky/analysis.hpp>
@@ -8,16 +9,10 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace isostretch::cholesky {
 namespace {
-
-// Vectors of kernels may read and write so many values beyond the last row of a column.
-constexpr std::int64_t widest = 8;
-
-std::int64_t padded(std::int64_t rows) {
-  return (rows + widest - 1 + widest - 1) / widest * widest;
-}
 
 void require_valid(const Pattern& pattern, std::span<const int> order) {
   const auto fail = [](const std::string& text) { throw Error(ErrorKind::misuse, "cholesky: " + text); };
@@ -69,8 +64,7 @@ std::vector<int> renumbered(const std::vector<int>& parent, const std::vector<in
 class StructureBuilder {
  public:
   StructureBuilder(const SupernodeTree& tree, const std::vector<int>& order_of_nodes, const Pattern& pattern,
-                   std::vector<int> column_order)
-      : pattern_(pattern) {
+                   const std::vector<int>& column_order) {
     number(tree, order_of_nodes, column_order);
     later_ = later_neighbours(pattern, inverse(structure_.order));
     std::vector<std::vector<int>> children(static_cast<std::size_t>(count_));
@@ -172,7 +166,6 @@ class StructureBuilder {
     }
   }
 
-  const Pattern& pattern_;
   Structure structure_;
   LaterNeighbours later_;
   std::vector<int> place_;
@@ -203,7 +196,7 @@ Analysis::Analysis(const Pattern& pattern, std::span<const int> order, const Ama
   }
   SupernodeTree tree = fundamental_supernodes(parent, count);
   merge_supernodes(tree, merge);
-  structure_ = StructureBuilder(tree, order_of_small_stack(tree), pattern, std::move(column_order)).take();
+  structure_ = StructureBuilder(tree, order_of_small_stack(tree), pattern, column_order).take();
 }
 
 }  // namespace isostretch::cholesky

@@ -1,7 +1,10 @@
 #include "elimination_tree.hpp"
 
+#include <isostretch/core/index.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 
 namespace isostretch::cholesky {
 namespace {
@@ -34,11 +37,35 @@ struct EarlierNeighbours {
   }
 };
 
-// The sets of the least common ancestors: paths to roots, halved as they are walked.
-int root_of(std::vector<int>& ancestor, int j) {
-  while (ancestor[j] != j) j = ancestor[j] = ancestor[ancestor[j]];
-  return j;
-}
+// The subtrees of the rows of L, whose leaves say what a column has in common with others: columns come in
+// postorder.
+class RowSubtrees {
+ public:
+  explicit RowSubtrees(std::size_t size) : seen_(size, -1), last_leaf_(size, -1), ancestor_(size) {
+    std::iota(ancestor_.begin(), ancestor_.end(), 0);
+  }
+
+  // Whether column j, whose first descendant is given, is a leaf of the subtree of row i. `common` gets the
+  // least common ancestor with the leaf before, -1 where it is the first.
+  bool takes_leaf(int i, int j, int first_descendant, int& common) {
+    if (first_descendant <= seen_[at(i)]) return false;
+    seen_[at(i)] = first_descendant;
+    common = last_leaf_[at(i)] < 0 ? -1 : root_of(last_leaf_[at(i)]);
+    last_leaf_[at(i)] = j;
+    return true;
+  }
+
+  void join(int j, int parent) { ancestor_[at(j)] = parent; }
+
+ private:
+  // Paths are halved as they are walked.
+  int root_of(int j) {
+    while (ancestor_[at(j)] != j) j = ancestor_[at(j)] = ancestor_[at(ancestor_[at(j)])];
+    return j;
+  }
+
+  std::vector<int> seen_, last_leaf_, ancestor_;
+};
 
 }  // namespace
 
@@ -102,28 +129,25 @@ std::vector<int> postorder(const std::vector<int>& parent) {
 
 std::vector<int> column_counts(const LaterNeighbours& later, const std::vector<int>& parent) {
   const int n = static_cast<int>(parent.size());
-  // `first`: the first descendant; rows see a leaf of their subtree where it lies beyond all they have seen.
-  std::vector<int> count(parent.size()), first(parent.size(), -1), ancestor(parent.size()),
-      seen(parent.size(), -1), last_leaf(parent.size(), -1);
+  std::vector<int> count(parent.size()), first_descendant(parent.size(), -1);
   for (int j = 0; j < n; ++j) {
-    ancestor[j] = j;
-    count[j] = first[j] == -1 ? 1 : 0;
-    for (int i = j; i != -1 && first[i] == -1; i = parent[i]) first[i] = j;
+    count[at(j)] = first_descendant[at(j)] == -1 ? 1 : 0;
+    for (int i = j; i != -1 && first_descendant[at(i)] == -1; i = parent[at(i)]) first_descendant[at(i)] = j;
   }
+  RowSubtrees rows(parent.size());
   for (int j = 0; j < n; ++j) {
-    if (parent[j] >= 0) --count[parent[j]];
-    for (int k = later.start[j]; k < later.start[j + 1]; ++k) {
-      const int i = later.position[k];
-      if (i == j || first[j] <= seen[i]) continue;
-      seen[i] = first[j];
-      ++count[j];
-      if (last_leaf[i] >= 0) --count[root_of(ancestor, last_leaf[i])];
-      last_leaf[i] = j;
+    if (parent[at(j)] >= 0) --count[at(parent[at(j)])];
+    for (int k = later.start[at(j)]; k < later.start[at(j) + 1]; ++k) {
+      const int i = later.position[at(k)];
+      int common = -1;
+      if (i == j || !rows.takes_leaf(i, j, first_descendant[at(j)], common)) continue;
+      ++count[at(j)];
+      if (common >= 0) --count[at(common)];
     }
-    if (parent[j] >= 0) ancestor[j] = parent[j];
+    if (parent[at(j)] >= 0) rows.join(j, parent[at(j)]);
   }
   for (int j = 0; j < n; ++j)
-    if (parent[j] >= 0) count[parent[j]] += count[j];
+    if (parent[at(j)] >= 0) count[at(parent[at(j)])] += count[at(j)];
   return count;
 }
 

@@ -1,6 +1,9 @@
 #include "schedule.hpp"
 
+#include "padding.hpp"
+
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace isostretch::cholesky {
@@ -92,8 +95,7 @@ Schedule::Schedule(const Structure& structure) : update(static_cast<std::size_t>
 }
 
 std::int64_t update_leading(const Supernode& supernode) {
-  constexpr std::int64_t widest = 8;
-  return (supernode.update_rows() + 2 * widest - 2) / widest * widest;
+  return padded(supernode.update_rows());
 }
 
 std::int64_t update_values(const Supernode& supernode) {

@@ -141,7 +141,8 @@ void register_elasticity(int cells, const std::string& material, double poisson,
   box.poisson = poisson;
   box.size[2] = height;
   const std::string name = "elasticity/" + std::to_string(cells) + "/" + material + "/";
-  for (const Backend backend : {Backend::automatic, Backend::cholmod_supernodal, Backend::eigen_ldlt}) {
+  for (const Backend backend :
+       {Backend::automatic, Backend::cholmod_supernodal, Backend::multifrontal, Backend::eigen_ldlt}) {
     if (!is_available(backend)) continue;
     Options options;
     options.backend = backend;
@@ -164,10 +165,11 @@ void register_elasticity(int cells, const std::string& material, double poisson,
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   const SymmetricMatrix small = test::grid_2d(40), medium = test::grid_2d(80), large = test::grid_2d(161),
-                        tets_small = test::grid_3d(9), tets = test::grid_3d(17);
+                        huge = test::grid_2d(425), tets_small = test::grid_3d(9), tets = test::grid_3d(17);
   register_all("grid_2d/1600_nodes", small);
   register_all("grid_2d/6400_nodes", medium);
   register_all("grid_2d/25921_nodes", large);
+  register_all("grid_2d/180625_nodes", huge);
   register_all("grid_3d/729_nodes", tets_small);
   register_all("grid_3d/4913_nodes", tets);
   register_changes("grid_2d/25921_nodes", large, 2);

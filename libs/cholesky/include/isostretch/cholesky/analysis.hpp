@@ -18,8 +18,8 @@ struct Pattern {
 /// When a supernode is merged with its parent, which stores zeros but makes the dense kernels longer: up to
 /// `columns` columns of both, where zeros are at most the share `zeros` of the entries.
 struct Amalgamation {
-  int columns[3] = {8, 32, 96};             ///< Columns of both; the last share holds beyond the last.
-  double zeros[4] = {0.8, 0.2, 0.1, 0.05};  ///< Largest shares of zeros.
+  int columns[3] = {16, 48, 128};            ///< Columns of both; the last share holds beyond the last.
+  double zeros[4] = {0.8, 0.3, 0.15, 0.05};  ///< Largest shares of zeros.
 };
 
 /// A supernode: columns of L of one structure, kept as a dense matrix of `rows` x `columns`, the diagonal
