@@ -120,7 +120,7 @@ elseif(STEP STREQUAL "other_machine")
 
 elseif(STEP STREQUAL "build_tree")
   configure(build_tree -Disostretch_DIR=${BUILD_TREE} -DCOMPONENTS=linalg,sparse)
-  expect_text("libraries loaded: \\[core linalg sparse\\]")
+  expect_text("libraries loaded: \\[cholesky core linalg sparse\\]")
   build(build_tree)
   run_programs(build_tree linalg sparse)
 
