@@ -19,11 +19,12 @@ enum class Backend {
   /// with ISOSTRETCH_WITH_SUITESPARSE=OFF to leave CHOLMOD out.
   cholmod_supernodal,
   cholmod_simplicial,  ///< CHOLMOD's simplicial factorization.
-  /// Our own multifrontal factorization (library cholesky), in which subtrees and large fronts are shared among
+  /// Our own multifrontal factorization (library cholesky), in which subtrees and large fronts are shared
+  /// among
   /// threads.
   multifrontal,
-  eigen_ldlt,          ///< Eigen's simplicial factorization.
-  pcg                  ///< Conjugate gradients with a preconditioner.
+  eigen_ldlt,  ///< Eigen's simplicial factorization.
+  pcg          ///< Conjugate gradients with a preconditioner.
 };
 /// Returns the back end of options as a choice by name: those built in, compiled in or not, and those
 /// registered.
