@@ -95,6 +95,17 @@ function(isostretch_add_library name)
   endif()
 endfunction()
 
+# Sets openmp_packages and openmp_link of a library that uses threads where there is OpenMP and does without elsewhere.
+macro(isostretch_find_optional_openmp)
+  find_package(OpenMP QUIET COMPONENTS CXX)
+  set(openmp_packages)
+  set(openmp_link)
+  if(OpenMP_CXX_FOUND)
+    set(openmp_packages "OpenMP COMPONENTS CXX")
+    set(openmp_link OpenMP::OpenMP_CXX)
+  endif()
+endmacro()
+
 # For tests: what runs once is not worth minutes of optimising, least of all instrumented templates.
 function(isostretch_compile_quickly target)
   if(ISOSTRETCH_SANITIZE)

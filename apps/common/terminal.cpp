@@ -110,9 +110,6 @@ LogLevel log_level_from_name(const std::string& wanted) {
   throw Error("unknown level '" + wanted + "' of messages");
 }
 
-void log_debug(std::string_view message) {
-  write(spdlog::level::debug, message);
-}
 void notice(std::string_view message) {
   write(spdlog::level::info, message);
 }

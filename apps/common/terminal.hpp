@@ -31,7 +31,6 @@ void start_logging(const Logging& logging);
 std::vector<std::string> log_level_names();
 LogLevel log_level_from_name(const std::string& name);
 
-void log_debug(std::string_view message);
 void notice(std::string_view message);
 void warn(std::string_view message);
 void report_error(std::string_view message);

@@ -1,4 +1,6 @@
 #include "elimination.hpp"
+
+#include "padding.hpp"
 #include "threads.hpp"
 
 #include <isostretch/core/dispatch.hpp>
@@ -250,24 +252,24 @@ void Factor::Elimination::solve(const double* b, double* x, int columns) {
   }
 }
 
+// Space for all threads is taken before they begin: nothing may be thrown among them.
 void Factor::Elimination::solve_one(double* x) {
   const int count = static_cast<int>(schedule_.subtree.size());
+  const bool shared = count > 1 && structure_.values > 100'000;
+  const std::size_t each = size(padded(schedule_.most_rows));
+  std::vector<double> space(each * size(shared ? most_threads() : 1), 0.0);
   const auto in_subtrees = [&](const auto& visit) {
-#pragma omp parallel if (count > 1 && structure_.values > 100'000)
-    {
-      std::vector<double> t(size(schedule_.most_rows) + size(overhang), 0.0);
-#pragma omp for schedule(dynamic, 1)
-      for (int i = 0; i < count; ++i) visit(schedule_.subtree[size(i)], t.data());
-    }
+    for_each(0, count, 1, shared, [&](int i) {
+      visit(schedule_.subtree[size(i)], space.data() + each * size(shared ? this_thread() : 0));
+    });
   };
-  std::vector<double> t(size(schedule_.most_rows) + size(overhang), 0.0);
-  in_subtrees([&](const Schedule::Subtree& part, double* own) {
-    for (int s = part.begin; s <= part.root; ++s) forward(s, x, own);
+  in_subtrees([&](const Schedule::Subtree& part, double* t) {
+    for (int s = part.begin; s <= part.root; ++s) forward(s, x, t);
   });
-  for (const int s : schedule_.top) forward(s, x, t.data());
-  for (auto s = schedule_.top.rbegin(); s != schedule_.top.rend(); ++s) backward(*s, x, t.data());
-  in_subtrees([&](const Schedule::Subtree& part, double* own) {
-    for (int s = part.root; s >= part.begin; --s) backward(s, x, own);
+  for (const int s : schedule_.top) forward(s, x, space.data());
+  for (auto s = schedule_.top.rbegin(); s != schedule_.top.rend(); ++s) backward(*s, x, space.data());
+  in_subtrees([&](const Schedule::Subtree& part, double* t) {
+    for (int s = part.root; s >= part.begin; --s) backward(s, x, t);
   });
 }
 

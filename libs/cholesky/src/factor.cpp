@@ -1,5 +1,7 @@
 #include "elimination.hpp"
 
+#include <isostretch/core/error.hpp>
+
 namespace isostretch::cholesky {
 
 Factor::Factor(const Analysis& analysis) : elimination_(new Elimination(analysis)) {}
@@ -22,7 +24,8 @@ bool Factor::is_ready() const {
 }
 
 void Factor::solve(const double* b, double* x, int columns) {
-  elimination_->solve(b, x, columns);
+  if (!is_ready()) throw Error(ErrorKind::misuse, "cholesky: solve() without a factor");
+  if (columns > 0) elimination_->solve(b, x, columns);
 }
 
 }  // namespace isostretch::cholesky

@@ -238,6 +238,17 @@ TEST_CASE("scale decides nothing: from the smallest numbers to the largest") {
   }
 }
 
+TEST_CASE("a solve without a factor is refused, and no right-hand side is no work") {
+  const Matrix A = grid(3, 3, 1);
+  const Analysis analysis(A.pattern());
+  Factor factor(analysis);
+  std::vector<double> x(9, 1.0);
+  CHECK_THROWS_WITH_AS(factor.solve(x.data(), x.data()), doctest::Contains("without a factor"), Error);
+  REQUIRE(factor.factorize(A.value.data()));
+  factor.solve(x.data(), x.data(), 0);
+  CHECK(x == std::vector<double>(9, 1.0));
+}
+
 TEST_CASE("the limit of memory is respected before memory is taken") {
   const Matrix A = grid(20, 20, 1);
   const Analysis analysis(A.pattern());

@@ -48,8 +48,9 @@ class Factor {
   /// Returns whether there is a factor.
   bool is_ready() const;
 
-  /// Solves A x = b for right-hand sides of size values each, one after the other; x may be b. There must be
-  /// a factor. Several are solved eight at a time. Throws std::bad_alloc where there is no memory for that.
+  /// Solves A x = b for right-hand sides of size values each, one after the other; x may be b. Several are
+  /// solved eight at a time. Throws Error where there is no factor, and std::bad_alloc where there is no
+  /// memory for the solve.
   void solve(const double* b, double* x, int columns = 1);
 
  private:
