@@ -38,9 +38,8 @@ function(isostretch_add_library name)
     set(scope PUBLIC)
     add_library(${target} ${A_SOURCES})
     isostretch_enable_warnings(${target})
-    if(ISOSTRETCH_UNITY_BUILD AND NOT A_SEPARATE STREQUAL "ALL")
-      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-      set_source_files_properties(${A_SEPARATE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    if(NOT A_SEPARATE STREQUAL "ALL")
+      isostretch_unite_sources(${target} SEPARATE ${A_SEPARATE})
     endif()
     isostretch_add_kernels(${target} ${A_KERNELS})
     # A shared library calls its own copies of Eigen's inline functions, not those of a program that may have been
@@ -85,6 +84,7 @@ function(isostretch_add_library name)
       isostretch_test_support)
     isostretch_enable_warnings(${target}_tests)
     isostretch_compile_quickly(${target}_tests)
+    isostretch_unite_sources(${target}_tests)
     isostretch_register_tests(${target}_tests NAME ${name})
   endif()
   if(ISOSTRETCH_BUILD_BENCHMARKS AND A_BENCHES)
@@ -92,6 +92,16 @@ function(isostretch_add_library name)
     add_executable(${target}_bench ${A_BENCHES})
     target_link_libraries(${target}_bench PRIVATE ${target} benchmark::benchmark)
     isostretch_enable_warnings(${target}_bench)
+  endif()
+endfunction()
+
+# Sources of a target are compiled a dozen at a time where ISOSTRETCH_UNITY_BUILD asks for it.
+function(isostretch_unite_sources target)
+  cmake_parse_arguments(A "" "" "SEPARATE" ${ARGN})
+  if(ISOSTRETCH_UNITY_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+    target_compile_options(${target} PRIVATE -Wno-shadow)  # names of one file may hide those of another
+    set_source_files_properties(${A_SEPARATE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
 endfunction()
 
@@ -106,7 +116,8 @@ macro(isostretch_find_optional_openmp)
   endif()
 endmacro()
 
-# For tests: what runs once is not worth minutes of optimising, least of all instrumented templates.
+# For tests, apps and libraries that put texts together: what runs once is not worth minutes of optimising, least of all
+# instrumented templates.
 function(isostretch_compile_quickly target)
   if(ISOSTRETCH_SANITIZE)
     target_compile_options(${target} PRIVATE -O0 ${ISOSTRETCH_SANITIZE_BY_CALLS})

@@ -1,8 +1,8 @@
 # Headers of others that most files include, read once for the whole build instead of once per file. An option for builds
 # that are made for their tests: with it a file that forgets an include compiles all the same, so ordinary builds go without.
 
-# Of the standard library what many files take. <nlohmann/json.hpp> only apps and tests may; <filesystem>, which few libraries
-# need, declares std::quoted, and that hides functions of this name where an argument is a std::string.
+# What many files take. Not <nlohmann/json.hpp>: a file without it would take a second more for nothing. And <filesystem>,
+# which few files need, declares std::quoted, and that hides functions of this name where an argument is a std::string.
 set(_isostretch_precompiled <Eigen/Dense> <Eigen/SparseCore> <algorithm> <array> <charconv> <cmath> <fstream> <functional>
   <limits> <map> <memory> <numeric> <optional> <random> <set> <sstream> <string> <string_view> <utility> <vector>)
 
@@ -24,24 +24,25 @@ function(isostretch_precompile_headers)
   endforeach()
 endfunction()
 
-# Compilers take a precompiled header only with the options that it was made with: one for each combination in use.
+# Compilers take a precompiled header only with the options that it was made with: one for each combination in use. Programs
+# share theirs with libraries, by -fPIC, and have OpenMP in any case, which changes nothing for sources without directives.
 function(_isostretch_precompile_headers_of target)
   get_target_property(position_independent ${target} POSITION_INDEPENDENT_CODE)
   get_target_property(options ${target} COMPILE_OPTIONS)
   get_target_property(links ${target} LINK_LIBRARIES)
+  find_package(OpenMP QUIET COMPONENTS CXX)
+  get_target_property(type ${target} TYPE)
   set(carrier isostretch_precompiled)
-  set(headers ${_isostretch_precompiled})
-  if(position_independent)
-    string(APPEND carrier _pic)
-  else()
-    find_package(nlohmann_json REQUIRED)
-    list(APPEND headers <filesystem> <nlohmann/json.hpp>)
+  if(options MATCHES "-O[01]")
+    string(APPEND carrier _quick)
+    target_compile_options(${target} PRIVATE -fPIC)
+  elseif(NOT position_independent)
+    return()  # a benchmark or an example
   endif()
-  if(options MATCHES "-(O[01])")  # apps and tests
-    string(APPEND carrier _${CMAKE_MATCH_1})
-  endif()
-  if(links MATCHES "OpenMP::OpenMP_CXX")
+  if(links MATCHES "OpenMP::OpenMP_CXX" OR (type STREQUAL "EXECUTABLE" AND OpenMP_CXX_FOUND))
     string(APPEND carrier _openmp)
+    target_compile_options(${target} PRIVATE ${OpenMP_CXX_FLAGS})
+    target_link_options(${target} PRIVATE ${OpenMP_CXX_FLAGS})
   endif()
 
   if(NOT TARGET ${carrier})
@@ -49,16 +50,13 @@ function(_isostretch_precompile_headers_of target)
     add_library(${carrier} OBJECT EXCLUDE_FROM_ALL ${PROJECT_BINARY_DIR}/precompiled.cpp)
     find_package(Eigen3 3.4 REQUIRED NO_MODULE)
     target_link_libraries(${carrier} PRIVATE Eigen3::Eigen)
-    if(carrier MATCHES "_openmp")
-      find_package(OpenMP REQUIRED COMPONENTS CXX)
-      target_link_libraries(${carrier} PRIVATE OpenMP::OpenMP_CXX)
-    endif()
     target_compile_features(${carrier} PRIVATE cxx_std_20)
     target_compile_options(${carrier} PRIVATE "${options}")
-    if(position_independent)
-      set_target_properties(${carrier} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    if(carrier MATCHES "_openmp")
+      target_compile_options(${carrier} PRIVATE ${OpenMP_CXX_FLAGS})
     endif()
-    target_precompile_headers(${carrier} PRIVATE ${headers})
+    set_target_properties(${carrier} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_precompile_headers(${carrier} PRIVATE ${_isostretch_precompiled})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${carrier})
   # Preprocessed sources that name a precompiled header are what ccache needs to take files that use one from its cache.

@@ -11,11 +11,11 @@ using baselines::Result;
 using baselines::Status;
 using tests::instance_named;
 
-const std::vector<std::string> all_solvers = {"ipopt", "ipopt_feasible", "ipopt_cone"};
+const std::vector<std::string> ipopt_solvers = {"ipopt", "ipopt_feasible", "ipopt_cone"};
 
 TEST_CASE("Ipopt finds the reference optima, with its iterates as a trace" *
-          tests::needs_solvers(all_solvers)) {
-  for (const std::string& name : all_solvers) {
+          tests::needs_solvers(ipopt_solvers)) {
+  for (const std::string& name : ipopt_solvers) {
     for (const std::string instance : {"yogurt90_N6_r0.15", "bar3d_squash_8x2x2"}) {
       if (name == "ipopt_cone" && instance[0] == 'b') continue;
       CAPTURE(name);
@@ -43,11 +43,11 @@ TEST_CASE("The search for a feasible start begins outside and comes inside, and 
 }
 
 TEST_CASE("Ipopt knows hard targets, weights, incompressibility and the margin" *
-          tests::needs_solvers(all_solvers)) {
+          tests::needs_solvers(ipopt_solvers)) {
   const baselines::Instance instance = tests::rich_instance();
   const Result ours = baselines::solve("interior_point", instance);
   REQUIRE(ours.status == Status::converged);
-  for (const std::string& name : all_solvers) {
+  for (const std::string& name : ipopt_solvers) {
     CAPTURE(name);
     const Result result = baselines::solve(name, instance);
     CHECK(result.status == Status::converged);
@@ -66,9 +66,9 @@ TEST_CASE("Cones of three rows are not second-order cones" * tests::needs_solver
 }
 
 TEST_CASE("Ipopt ends at its limits and where the callback says so, with the positions so far" *
-          tests::needs_solvers(all_solvers)) {
+          tests::needs_solvers(ipopt_solvers)) {
   const baselines::Instance instance = instance_named("yogurt90_N6_r0.15");
-  for (const std::string& name : all_solvers) {
+  for (const std::string& name : ipopt_solvers) {
     CAPTURE(name);
     baselines::Options options;
     options.limits.iterations = 3;
@@ -82,8 +82,8 @@ TEST_CASE("Ipopt ends at its limits and where the callback says so, with the pos
   }
 }
 
-TEST_CASE("Ipopt does not claim to have solved what cannot be solved" * tests::needs_solvers(all_solvers)) {
-  for (const std::string& name : all_solvers) {
+TEST_CASE("Ipopt does not claim to have solved what cannot be solved" * tests::needs_solvers(ipopt_solvers)) {
+  for (const std::string& name : ipopt_solvers) {
     CAPTURE(name);
     const Result result = baselines::solve(name, tests::impossible_instance());
     CAPTURE(result.message);

@@ -11,7 +11,7 @@ using baselines::Result;
 using baselines::Status;
 using tests::instance_named;
 
-const std::vector<std::string> all_solvers = {"nlopt_mma", "nlopt_ccsaq", "nlopt_slsqp", "nlopt_auglag"};
+const std::vector<std::string> nlopt_solvers = {"nlopt_mma", "nlopt_ccsaq", "nlopt_slsqp", "nlopt_auglag"};
 
 // As measured, with room. What they say of how they ended is another matter: AUGLAG fails here after it has
 // come so far.
@@ -30,12 +30,12 @@ void check_optimum(const std::string& name, const baselines::Instance& instance,
 }
 
 TEST_CASE("Algorithms of NLopt come near the optimum of the smallest reference instance" *
-          tests::needs_solvers(all_solvers)) {
-  for (const std::string& name : all_solvers)
+          tests::needs_solvers(nlopt_solvers)) {
+  for (const std::string& name : nlopt_solvers)
     check_optimum(name, instance_named("yogurt90_N6_r0.15"), tests::optimum_of("yogurt90_N6_r0.15"));
 }
 
-TEST_CASE("NLopt keeps hard targets" * tests::needs_solvers(all_solvers)) {
+TEST_CASE("NLopt keeps hard targets" * tests::needs_solvers(nlopt_solvers)) {
   baselines::Instance instance = instance_named("yogurt90_N6_r0.15");
   instance.problem.targets[0].hard = true;
   const Result ours = baselines::solve("interior_point", instance);
@@ -44,9 +44,9 @@ TEST_CASE("NLopt keeps hard targets" * tests::needs_solvers(all_solvers)) {
     check_optimum(name, instance, ours.measures.energy);
 }
 
-TEST_CASE("NLopt ends at its limits and where the callback says so" * tests::needs_solvers(all_solvers)) {
+TEST_CASE("NLopt ends at its limits and where the callback says so" * tests::needs_solvers(nlopt_solvers)) {
   const baselines::Instance instance = instance_named("yogurt90_N6_r0.15");
-  for (const std::string& name : all_solvers) {
+  for (const std::string& name : nlopt_solvers) {
     CAPTURE(name);
     baselines::Options options;
     options.limits.iterations = 3;
@@ -58,7 +58,7 @@ TEST_CASE("NLopt ends at its limits and where the callback says so" * tests::nee
   }
 }
 
-TEST_CASE("NLopt's algorithms say what is too large for them" * tests::needs_solvers(all_solvers)) {
+TEST_CASE("NLopt's algorithms say what is too large for them" * tests::needs_solvers(nlopt_solvers)) {
   // Many squares beside one another.
   baselines::Instance instance;
   const baselines::Instance square = tests::impossible_instance();
@@ -81,7 +81,7 @@ TEST_CASE("NLopt's algorithms say what is too large for them" * tests::needs_sol
       all.targets.push_back(target);
     }
   }
-  for (const std::string& name : all_solvers) {
+  for (const std::string& name : nlopt_solvers) {
     CAPTURE(name);
     const Result result = baselines::solve(name, instance);
     CHECK(result.status == Status::not_applicable);

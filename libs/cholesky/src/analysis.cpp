@@ -74,6 +74,7 @@ class StructureBuilder {
     for (int s = 0; s < count_; ++s) add(s, children[s]);
     structure_.place_in_parent.resize(structure_.row.size());
     for (int s = 0; s < count_; ++s) link(s, children[s]);
+    find_runs();
     measure();
   }
 
@@ -144,6 +145,22 @@ class StructureBuilder {
         structure_.place_in_parent[static_cast<std::size_t>(i)] =
             place_[structure_.row[static_cast<std::size_t>(i)]];
     }
+  }
+
+  // After the parents of all are linked.
+  void find_runs() {
+    for (int s = 0; s < count_; ++s) {
+      Supernode& node = structure_.supernode[s];
+      node.run = static_cast<std::int64_t>(structure_.run.size());
+      if (node.parent < 0) continue;
+      const int* where = structure_.place_in_parent.data() + node.row;
+      for (int i = 0; i < node.update_rows(); ++i)
+        if (i > 0 && where[i] == where[i - 1] + 1)
+          ++structure_.run.back().length;
+        else
+          structure_.run.push_back({i, where[i], 1});
+    }
+    structure_.supernode.back().run = static_cast<std::int64_t>(structure_.run.size());
   }
 
   void measure() {

@@ -25,6 +25,10 @@ constexpr std::int64_t overhang = 16;
 // Operations from which a loop is worth sharing among threads.
 constexpr double worth_sharing = 2e5;
 
+// What is above subtrees of more than this share of the operations that one thread should do finds no other
+// subtree that keeps the other threads busy: all threads do it together.
+constexpr double is_alone_to = 0.8;
+
 std::size_t size(std::int64_t number) {
   return static_cast<std::size_t>(number);
 }
@@ -62,11 +66,19 @@ std::int64_t Factor::Elimination::bytes(int threads) const {
          static_cast<std::int64_t>(structure_.supernode.size() * sizeof(double*));
 }
 
+double Factor::Elimination::total_flops() const {
+  double total = 0;
+  for (const Unit& unit : schedule_.unit)
+    if (unit.parent < 0) total += unit.flops;
+  return total;
+}
+
 bool Factor::Elimination::take_memory(int threads) {
   if (most_bytes > 0 && bytes(threads) > most_bytes) return false;
   try {
     update_of_.resize(structure_.supernode.size());
     carried_.resize(structure_.row.size());
+    agenda_.reserve(schedule_.unit.size());
     if (stack_.size() < size(threads)) {
       const std::size_t had = stack_.size();
       stack_.resize(size(threads));
@@ -89,11 +101,14 @@ FactorizeResult Factor::Elimination::factorize(const double* values) {
   if (!take_memory(most_threads())) return {FactorizeStatus::out_of_memory, -1};
   values_ = values;
   failed_ = analysis_.size();
-  run_subtrees();
-  for (const int s : schedule_.top) {
-    if (failed_ < analysis_.size()) break;
-    eliminate(s, pool_.data() + schedule_.update[size(s)], true);
-  }
+  const int threads = most_threads();
+  const double alone = is_alone_to * total_flops() / threads;
+  agenda_.begin(schedule_, alone);
+#pragma omp parallel num_threads(threads) if (threads > 1 && schedule_.unit.size() > 1)
+  for (int u; (u = agenda_.take()) >= 0; agenda_.finish(u))
+    run(schedule_.unit[size(u)], stack_[size(this_thread())].data(), false);
+  for (const int u : schedule_.top)
+    if (schedule_.unit[size(u)].flops > alone) run(schedule_.unit[size(u)], nullptr, threads > 1);
   if (failed_ < analysis_.size())
     return {not_finite_ ? FactorizeStatus::not_finite : FactorizeStatus::not_positive_definite,
             structure_.order[size(failed_)]};
@@ -101,21 +116,19 @@ FactorizeResult Factor::Elimination::factorize(const double* values) {
   return {};
 }
 
-// A subtree is left out only where a pivot before all of its own has failed: then the first that fails is
-// found whatever the threads do.
-void Factor::Elimination::run_subtrees() {
-  const int count = static_cast<int>(schedule_.subtree.size());
-#pragma omp parallel for schedule(dynamic, 1) if (count > 1)
-  for (int i = 0; i < count; ++i) {
-    const Schedule::Subtree& part = schedule_.subtree[size(i)];
-    if (failed_ < structure_.supernode[size(part.begin)].first) continue;
-    subtree(part, stack_[size(this_thread())].data());
-  }
+// A unit is left out only where a pivot before all of its own has failed: then the first that fails is found
+// whatever the threads do.
+void Factor::Elimination::run(const Unit& unit, double* stack, bool shared) {
+  if (failed_ < structure_.supernode[size(unit.begin)].first) return;
+  if (unit.is_top)
+    eliminate(unit.root, pool_.data() + schedule_.update[size(unit.root)], shared);
+  else
+    subtree(unit, stack);
 }
 
 // Update matrices lie on the stack one after the other, those of the children of a supernode on top. Its own
 // is made above them and takes their place.
-void Factor::Elimination::subtree(const Schedule::Subtree& part, double* stack) {
+void Factor::Elimination::subtree(const Unit& part, double* stack) {
   double* top = stack;
   for (int s = part.begin; s <= part.root; ++s) {
     const Supernode& node = structure_.supernode[size(s)];
@@ -171,19 +184,22 @@ void Factor::Elimination::assemble(int s, const Place& place, bool shared) {
 // The columns of the child's update matrix that belong to the columns of the front, or those that belong to
 // its update matrix.
 void Factor::Elimination::add_update_of(int c, const Place& place, bool to_update, bool shared) {
+  constexpr int grain = 16;
   const Supernode& child = structure_.supernode[size(c)];
   const int rows = child.update_rows(), columns = place.front.columns;
   const int* where = structure_.place_in_parent.data() + child.row;
   const int middle = static_cast<int>(std::lower_bound(where, where + rows, columns) - where);
-  const double* from = update_of_[size(c)];
-  const std::size_t leading = size(update_leading(child));
   const int begin = to_update ? middle : 0, end = to_update ? rows : middle;
-  for_each(begin, end, 16, shared, [&](int j) {
-    double* to = to_update ? place.update + size(where[j] - columns) * place.update_leading - columns
-                           : place.front.values + size(where[j]) * place.front.leading;
-    const double* column = from + size(j) * leading;
-    for (int i = j; i < rows; ++i) to[where[i]] += column[i];
-  });
+  const Run* run = structure_.run.data() + child.run;
+  const int runs = static_cast<int>(structure_.supernode[size(c) + 1].run - child.run);
+  const auto add = [&](int from, int to) {
+    kernels_->add(update_of_[size(c)], size(update_leading(child)), run, runs, from, to,
+                  to_update ? place.update : place.front.values,
+                  to_update ? place.update_leading : place.front.leading, to_update ? columns : 0);
+  };
+  if (!shared) return add(begin, end);
+  for_each(0, (end - begin + grain - 1) / grain, 1, shared,
+           [&](int i) { add(begin + i * grain, std::min(end, begin + (i + 1) * grain)); });
 }
 
 bool Factor::Elimination::factorize_columns(int s, const Place& place, bool shared) {
@@ -260,15 +276,17 @@ void Factor::Elimination::solve_one(double* x) {
   std::vector<double> space(each * size(shared ? most_threads() : 1), 0.0);
   const auto in_subtrees = [&](const auto& visit) {
     for_each(0, count, 1, shared, [&](int i) {
-      visit(schedule_.subtree[size(i)], space.data() + each * size(shared ? this_thread() : 0));
+      visit(schedule_.unit[size(schedule_.subtree[size(i)])],
+            space.data() + each * size(shared ? this_thread() : 0));
     });
   };
-  in_subtrees([&](const Schedule::Subtree& part, double* t) {
+  in_subtrees([&](const Unit& part, double* t) {
     for (int s = part.begin; s <= part.root; ++s) forward(s, x, t);
   });
-  for (const int s : schedule_.top) forward(s, x, space.data());
-  for (auto s = schedule_.top.rbegin(); s != schedule_.top.rend(); ++s) backward(*s, x, space.data());
-  in_subtrees([&](const Schedule::Subtree& part, double* t) {
+  for (const int u : schedule_.top) forward(schedule_.unit[size(u)].root, x, space.data());
+  for (auto u = schedule_.top.rbegin(); u != schedule_.top.rend(); ++u)
+    backward(schedule_.unit[size(*u)].root, x, space.data());
+  in_subtrees([&](const Unit& part, double* t) {
     for (int s = part.root; s >= part.begin; --s) backward(s, x, t);
   });
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "agenda.hpp"
 #include "buffer.hpp"
 #include "front_table.hpp"
 #include "schedule.hpp"
@@ -35,8 +36,9 @@ class Factor::Elimination {
   Place place_of(int s, double* update) const;
 
   bool take_memory(int threads);
-  void run_subtrees();
-  void subtree(const Schedule::Subtree& part, double* stack);
+  double total_flops() const;
+  void run(const Unit& unit, double* stack, bool shared);
+  void subtree(const Unit& part, double* stack);
   bool eliminate(int s, double* update, bool together);
   void assemble(int s, const Place& place, bool together);
   bool factorize_columns(int s, const Place& place, bool together);
@@ -52,6 +54,7 @@ class Factor::Elimination {
   const Analysis& analysis_;
   const Structure& structure_;
   Schedule schedule_;
+  Agenda agenda_;
   const FrontTable* kernels_ = nullptr;
   const double* values_ = nullptr;  // of A, while it is factorised
   Buffer factor_, pool_;

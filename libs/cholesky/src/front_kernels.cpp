@@ -155,6 +155,37 @@ void update(const double* a, std::size_t leading, int k, double* c, std::size_t 
   }
 }
 
+// The lanes of a vector by number.
+ISOSTRETCH_INLINE Pack numbers() {
+  alignas(64) double number[lanes];
+  for (int i = 0; i < lanes; ++i) number[i] = i;
+  return load<Pack>(number);
+}
+
+// What a vector covers beyond a run is written as it was: there is padding below every column.
+void add(const double* from, std::size_t from_leading, const Run* run, int runs, int begin, int end,
+         double* to, std::size_t leading, int first) {
+  const Pack number = numbers();
+  const auto add_rows = [&](const double* source, double* target, int count) {
+    int i = 0;
+    for (; i + lanes <= count; i += lanes) store(target + i, load<Pack>(target + i) + load<Pack>(source + i));
+    if (i == count) return;
+    const Pack old = load<Pack>(target + i);
+    store(target + i,
+          select(number < Pack(static_cast<double>(count - i)), old + load<Pack>(source + i), old));
+  };
+  int own = 0;  // run of column j
+  for (int j = begin; j < end; ++j) {
+    while (run[own].row + run[own].length <= j) ++own;
+    const double* column = from + at(j) * from_leading;
+    const int beyond = j - run[own].row, place = run[own].place + beyond - first;
+    double* target = to + at(place) * leading;
+    add_rows(column + j, target + place, run[own].length - beyond);
+    for (int r = own + 1; r < runs; ++r)
+      add_rows(column + run[r].row, target + (run[r].place - first), run[r].length);
+  }
+}
+
 // Columns of L that are read together, so that t is read once for all of them.
 constexpr int together = 4;
 
@@ -266,7 +297,7 @@ void backward_wide(const Front& front, double* t) {
 }  // namespace
 
 extern const FrontTable table;
-const FrontTable table = {tile_columns, diagonal, below,        update,
+const FrontTable table = {tile_columns, diagonal, below,        update,       add,
                           forward,      backward, forward_wide, backward_wide};
 
 }  // namespace ISOSTRETCH_KERNELS

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <isostretch/cholesky/run.hpp>
+
 #include <cstddef>
 
 namespace isostretch::cholesky {
@@ -36,6 +38,11 @@ struct FrontTable {
   // same rows as C and has k columns, and B is its first `columns` rows. Without `add` C is set.
   void (*update)(const double* a, std::size_t leading, int k, double* c, std::size_t c_leading, int columns,
                  int begin, int end, bool add);
+
+  // Adds columns begin ... end - 1 of the lower trapezoid of an update matrix to `to`, whose first row and
+  // column is `first` of the front that the runs speak of. Rows that go on in a run do so there.
+  void (*add)(const double* from, std::size_t from_leading, const Run* run, int runs, int begin, int end,
+              double* to, std::size_t leading, int first);
 
   // t = L^-1 t for the diagonal block, and what is below it is subtracted from the rest of t (rows values).
   void (*forward)(const Front& front, double* t);

@@ -7,15 +7,23 @@
 
 namespace isostretch::cholesky {
 
-// What threads do by themselves and together: whole subtrees, and the supernodes above them in the order of
-// elimination. It does not depend on the number of threads, and so neither does what is found first.
+// What one thread does at a time: a whole subtree, or a supernode of the top of the tree.
+struct Unit {
+  int begin = 0, root = 0;  // supernodes begin ... root; one of the top is both
+  bool is_top = false;
+  int parent = -1;   // number of the unit that waits for this one; -1: none
+  int children = 0;  // units that it waits for
+  double flops = 0;  // of the subtree below, itself included
+  double path = 0;   // operations of the unit and those above it up to the root
+};
+
+// The units and where update matrices lie that are handed from one to another. It does not depend on the
+// number of threads, nor does the space: an update matrix only takes the place of those that were needed
+// below it, and so units are done in any order that has children before their parents.
 struct Schedule {
-  struct Subtree {
-    int begin = 0, root = 0;  // supernodes begin ... root
-  };
-  std::vector<Subtree> subtree;      // the largest first
-  std::vector<int> top;              // ascending
-  std::vector<std::int64_t> update;  // of roots and top: where their update matrices are in the pool
+  std::vector<Unit> unit;            // ascending
+  std::vector<int> subtree, top;     // numbers of units: the largest subtrees first, the top ascending
+  std::vector<std::int64_t> update;  // of every root of a unit: place of its update matrix in the pool
   std::int64_t stack = 0;            // values of the largest stack of a subtree
   std::int64_t pool = 0;             // values of the pool
   int most_rows = 0;                 // of a front

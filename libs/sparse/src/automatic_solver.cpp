@@ -16,9 +16,8 @@ namespace isostretch::sparse {
 namespace {
 
 // Larger matrices of the 3D kind are not even analyzed for a factorization: none was faster (README.md), and
-// nested dissection alone takes seconds. Eigen's simplicial factorization falls behind much earlier, and does
-// not say beforehand how long it will take.
-constexpr int largest_for_cholmod = 300000, largest_for_eigen = 20000;
+// nested dissection alone takes seconds.
+constexpr int largest_to_analyze = 300000;
 
 // Of the memory there is, a factor may take this share; and it takes about so many bytes an entry, with the
 // padding of supernodes and its work space.
@@ -39,8 +38,7 @@ class AutomaticSolver final : public Solver {
  private:
   FactorResult do_analyze(const SymmetricMatrix& A) override {
     may_give_up_ = true;
-    const int largest = is_available(Backend::cholmod_supernodal) ? largest_for_cholmod : largest_for_eigen;
-    if (A.size > largest && is_spatial(A)) return iterative(A);
+    if (A.size > largest_to_analyze && is_spatial(A)) return iterative(A);
     return direct(A, options_.automatic_max_flops);
   }
 

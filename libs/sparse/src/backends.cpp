@@ -100,11 +100,11 @@ Backend backend_from_name(std::string_view name) {
 
 std::vector<Backend> available_backends() {
   std::vector<Backend> backends = {
+    Backend::multifrontal,
 #if defined(ISOSTRETCH_WITH_CHOLMOD)
     Backend::cholmod_supernodal,
     Backend::cholmod_simplicial,
 #endif
-    Backend::multifrontal,
     Backend::eigen_ldlt,
     Backend::pcg
   };

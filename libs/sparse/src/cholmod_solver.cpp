@@ -81,9 +81,7 @@ class CholmodSolver final : public Solver {
   }
 
   int supernodal_mode() const {
-    if (options_.backend == Backend::cholmod_supernodal) return CHOLMOD_SUPERNODAL;
-    if (options_.backend == Backend::cholmod_simplicial) return CHOLMOD_SIMPLICIAL;
-    return CHOLMOD_AUTO;
+    return options_.backend == Backend::cholmod_simplicial ? CHOLMOD_SIMPLICIAL : CHOLMOD_SUPERNODAL;
   }
 
   FactorResult do_factorize(const SymmetricMatrix& A) override {

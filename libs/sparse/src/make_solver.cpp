@@ -35,11 +35,12 @@ void require_valid(const Options& options) {
 }  // namespace
 
 std::unique_ptr<Solver> make_direct_solver(const Options& options) {
-  if (options.backend == Backend::multifrontal) return make_multifrontal_solver(options);
+  if (options.backend == Backend::eigen_ldlt) return make_eigen_solver(options);
 #if defined(ISOSTRETCH_WITH_CHOLMOD)
-  if (options.backend != Backend::eigen_ldlt) return make_cholmod_solver(options);
+  if (options.backend == Backend::cholmod_supernodal || options.backend == Backend::cholmod_simplicial)
+    return make_cholmod_solver(options);
 #endif
-  return make_eigen_solver(options);
+  return make_multifrontal_solver(options);
 }
 
 std::unique_ptr<Solver> make_solver(const Options& options) {

@@ -28,7 +28,7 @@ const std::vector<Preconditioner>& all_preconditioners() {
 const std::vector<Ordering>& available_orderings() {
   static const std::vector<Ordering> orderings = {
     Ordering::amd,
-#if defined(ISOSTRETCH_WITH_CHOLMOD)
+#if defined(ISOSTRETCH_WITH_METIS)
     Ordering::metis,
 #endif
     Ordering::natural

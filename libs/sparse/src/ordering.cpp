@@ -15,6 +15,9 @@
 #if defined(ISOSTRETCH_WITH_CHOLMOD)
 #include "cholmod_session.hpp"
 #endif
+#if defined(ISOSTRETCH_WITH_METIS)
+#include <metis.h>
+#endif
 
 namespace isostretch::sparse {
 namespace {
@@ -32,26 +35,70 @@ bool dense_as_in_3d(const SymmetricMatrix& graph) {
 
 #if defined(ISOSTRETCH_WITH_CHOLMOD)
 
-// METIS draws from rand() of the C library, which threads share: one at a time, or orders differ from run to
-// run.
-int nested_dissection(cholmod_sparse& graph, std::vector<int>& permutation, cholmod_common* common) {
-  static std::mutex random_numbers;
-  const std::lock_guard lock(random_numbers);
-  return cholmod_metis(&graph, nullptr, 0, 1, permutation.data(), common);
-}
-
-std::vector<int> graph_ordering(const SymmetricMatrix& graph, Ordering wanted) {
+std::vector<int> minimum_degree(const SymmetricMatrix& graph) {
   CholmodSession session;
   cholmod_sparse view = CholmodSession::pattern_view(graph);
   std::vector<int> permutation(graph.size);
-  const int done = wanted == Ordering::metis
-                       ? nested_dissection(view, permutation, session.common())
-                       : cholmod_amd(&view, nullptr, 0, permutation.data(), session.common());
+  const int done = cholmod_amd(&view, nullptr, 0, permutation.data(), session.common());
   if (session.common()->status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
   if (!done)
-    throw Error("CHOLMOD could not compute the " + std::string(ordering_name(wanted)) + " ordering, status " +
+    throw Error("CHOLMOD could not compute the amd ordering, status " +
                 std::to_string(session.common()->status));
   return permutation;
+}
+
+#else
+
+std::vector<int> minimum_degree(const SymmetricMatrix& graph) {
+  using Matrix = Eigen::SparseMatrix<double>;
+  const Eigen::Map<const Matrix> lower(graph.size, graph.size, graph.nonzeros(), graph.column_start.data(),
+                                       graph.row.data(), graph.value.data());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  Eigen::AMDOrdering<int>()(Matrix(lower).selfadjointView<Eigen::Lower>(), order);
+  return {order.indices().data(), order.indices().data() + graph.size};
+}
+
+#endif
+
+#if defined(ISOSTRETCH_WITH_METIS)
+
+// Neighbours of every node, without the node itself.
+struct Adjacency {
+  std::vector<idx_t> start, neighbour;
+
+  explicit Adjacency(const SymmetricMatrix& lower) : start(static_cast<std::size_t>(lower.size) + 1, 0) {
+    const auto for_each_edge = [&](const auto& visit) {
+      for (int j = 0; j < lower.size; ++j)
+        for (int k = lower.column_start[j]; k < lower.column_start[j + 1]; ++k)
+          if (lower.row[k] != j) visit(j, lower.row[k]);
+    };
+    for_each_edge([&](int a, int b) { ++start[a + 1], ++start[b + 1]; });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    neighbour.resize(static_cast<std::size_t>(start.back()));
+    std::vector<idx_t> place(start.begin(), start.end() - 1);
+    for_each_edge([&](int a, int b) {
+      neighbour[place[a]++] = b;
+      neighbour[place[b]++] = a;
+    });
+  }
+};
+
+// METIS draws from rand() of the C library, which threads share: one at a time, or orders differ from run to
+// run.
+std::vector<int> nested_dissection(const SymmetricMatrix& graph) {
+  Adjacency adjacency(graph);
+  if (adjacency.neighbour.empty()) return natural_ordering(graph.size);
+  idx_t nodes = graph.size, options[METIS_NOPTIONS];
+  METIS_SetDefaultOptions(options);
+  std::vector<idx_t> permutation(graph.size), inverse(graph.size);
+  static std::mutex random_numbers;
+  const std::lock_guard lock(random_numbers);
+  const int status = METIS_NodeND(&nodes, adjacency.start.data(), adjacency.neighbour.data(), nullptr,
+                                  options, permutation.data(), inverse.data());
+  if (status == METIS_ERROR_MEMORY) throw std::bad_alloc();
+  if (status != METIS_OK)
+    throw Error("METIS could not compute an ordering, status " + std::to_string(status));
+  return {permutation.begin(), permutation.end()};
 }
 
 // Measured (README.md). In 3D nested dissection saves up to half of every factorization; in 2D it gains
@@ -63,14 +110,8 @@ Ordering choose(const SymmetricMatrix& graph) {
 
 #else
 
-std::vector<int> graph_ordering(const SymmetricMatrix& graph, Ordering wanted) {
-  if (wanted == Ordering::metis) throw Error("the metis ordering needs CHOLMOD, which is not compiled in");
-  using Matrix = Eigen::SparseMatrix<double>;
-  const Eigen::Map<const Matrix> lower(graph.size, graph.size, graph.nonzeros(), graph.column_start.data(),
-                                       graph.row.data(), graph.value.data());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-  Eigen::AMDOrdering<int>()(Matrix(lower).selfadjointView<Eigen::Lower>(), order);
-  return {order.indices().data(), order.indices().data() + graph.size};
+std::vector<int> nested_dissection(const SymmetricMatrix&) {
+  throw Error("the metis ordering needs METIS, which is not compiled in");
 }
 
 Ordering choose(const SymmetricMatrix&) {
@@ -126,7 +167,7 @@ std::vector<int> KeptOrdering::compute(const SymmetricMatrix& A, Ordering wanted
   if (wanted != Ordering::natural) {
     GroupGraph graph = group_graph(A);
     if (wanted == Ordering::automatic) used_ = choose(graph.matrix);
-    groups_ = graph_ordering(graph.matrix, used_);
+    groups_ = used_ == Ordering::metis ? nested_dissection(graph.matrix) : minimum_degree(graph.matrix);
     column_start_ = std::move(graph.matrix.column_start);
     row_ = std::move(graph.matrix.row);
     statistics.ordering = used_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <isostretch/cholesky/run.hpp>
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -35,6 +37,7 @@ struct Supernode {
   std::int64_t leading = 0;  ///< Distance of two columns, in values.
   std::int64_t entry = 0;    ///< Where its entries of A begin in Structure::entry.
   std::int64_t child = 0;    ///< Where its children begin in Structure::child.
+  std::int64_t run = 0;      ///< Where the runs of its update matrix begin in Structure::run.
   /// Operations of its subtree, itself included.
   double subtree_flops = 0;
   /// Values that the stack of update matrices has at most while its subtree is eliminated, its own update
@@ -56,6 +59,7 @@ struct Structure {
   std::vector<Supernode> supernode;  ///< The supernodes; one more ends the lists of the last.
   std::vector<int> row;              ///< Positions of the rows below the diagonal blocks, ascending in each.
   std::vector<int> place_in_parent;  ///< For each entry of `row`, the row of the parent's front.
+  std::vector<Run> run;              ///< The same by runs.
   std::vector<int> child;            ///< Children, in the order in which their update matrices are added.
   std::vector<EntryPlace> entry;     ///< Entries of A by front.
   std::vector<int> order;            ///< Unknown of each position.

@@ -9,19 +9,15 @@ namespace isostretch::sparse {
 
 /// The solvers of linear systems. Values beyond the last are those of register_solver() (solver.hpp).
 enum class Backend {
-  /// A factorization, by CHOLMOD where it was compiled in (supernodal or simplicial by the work per entry of
-  /// the
-  /// factor), by Eigen otherwise. For tetrahedral meshes whose factorization would take too long
+  /// A factorization, multifrontal. For tetrahedral meshes whose factorization would take too long
   /// (automatic_max_flops) or would not fit into memory, pcg with algebraic multigrid.
   automatic,
   /// CHOLMOD's supernodal module. It is under the GPL, and a program that links it falls under it too;
-  /// configure
-  /// with ISOSTRETCH_WITH_SUITESPARSE=OFF to leave CHOLMOD out.
+  /// configure with ISOSTRETCH_WITH_SUITESPARSE=OFF to leave CHOLMOD out.
   cholmod_supernodal,
   cholmod_simplicial,  ///< CHOLMOD's simplicial factorization.
   /// Our own multifrontal factorization (library cholesky), in which subtrees and large fronts are shared
-  /// among
-  /// threads.
+  /// among threads.
   multifrontal,
   eigen_ldlt,  ///< Eigen's simplicial factorization.
   pcg          ///< Conjugate gradients with a preconditioner.
@@ -34,7 +30,7 @@ ChoiceSlot choice_slot(Backend& backend);
 enum class Ordering {
   automatic,  ///< By size and dimension; README.md has the measurements behind the choice.
   amd,        ///< Approximate minimum degree: quick.
-  metis,      ///< Nested dissection, which leaves less to factorise; needs CHOLMOD.
+  metis,      ///< Nested dissection, which leaves less to factorise; needs METIS.
   natural     ///< The order of the unknowns.
 };
 /// Returns the names of the orderings on command lines and in scenes.

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace isostretch::cholesky {
+
+/// Rows of an update matrix that follow each other in the front of the parent, too.
+struct Run {
+  int row = 0;     ///< The first of them, in the update matrix.
+  int place = 0;   ///< The same row in the front of the parent.
+  int length = 0;  ///< Number of rows.
+};
+
+}  // namespace isostretch::cholesky
