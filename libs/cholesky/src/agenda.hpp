@@ -8,8 +8,8 @@
 
 namespace isostretch::cholesky {
 
-// Hands the units of a schedule to threads, those with the longest path to the root first. Takes no memory after
-// reserve().
+// Hands the units of a schedule to threads, those with the longest path to the root first. Takes no memory
+// after reserve().
 class Agenda {
  public:
   void reserve(std::size_t units);

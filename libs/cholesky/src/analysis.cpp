@@ -40,12 +40,6 @@ void require_valid(const Pattern& pattern, std::span<const int> order) {
   }
 }
 
-std::vector<int> inverse(const std::vector<int>& order) {
-  std::vector<int> position(order.size());
-  for (std::size_t p = 0; p < order.size(); ++p) position[order[p]] = static_cast<int>(p);
-  return position;
-}
-
 std::vector<int> composed(const std::vector<int>& order, const std::vector<int>& of) {
   std::vector<int> result(of.size());
   for (std::size_t p = 0; p < of.size(); ++p) result[p] = order[of[p]];
@@ -60,29 +54,36 @@ std::vector<int> renumbered(const std::vector<int>& parent, const std::vector<in
   return result;
 }
 
-// Fills a Structure, supernode by supernode.
+// Fills a Structure, supernode by supernode. Neighbours are numbered by an order of their own, of which
+// position p of the tree is position post[p].
 class StructureBuilder {
  public:
-  StructureBuilder(const SupernodeTree& tree, const std::vector<int>& order_of_nodes, const Pattern& pattern,
-                   const std::vector<int>& column_order) {
-    number(tree, order_of_nodes, column_order);
-    later_ = later_neighbours(pattern, inverse(structure_.order));
-    std::vector<std::vector<int>> children(static_cast<std::size_t>(count_));
-    for (int s = 0; s < count_; ++s)
-      if (structure_.supernode[s].parent >= 0) children[structure_.supernode[s].parent].push_back(s);
-    place_.assign(structure_.order.size(), -1);
-    for (int s = 0; s < count_; ++s) add(s, children[s]);
+  StructureBuilder(const SupernodeTree& tree, const std::vector<int>& order_of_nodes,
+                   const LaterNeighbours& later, const std::vector<int>& post)
+      : later_(later) {
+    number(tree, order_of_nodes, post);
+    position_of_ = inverse(old_);
+    std::int64_t rows = 0;
+    for (int s = 0; s < count_; ++s) rows += structure_.supernode[s].update_rows();
+    structure_.row.reserve(static_cast<std::size_t>(rows));
+    structure_.entry.reserve(later.entry.size());
+    list_children();
+    place_.assign(old_.size(), -1);
+    for (int s = 0; s < count_; ++s) add(s);
     structure_.place_in_parent.resize(structure_.row.size());
-    for (int s = 0; s < count_; ++s) link(s, children[s]);
+    for (int s = 0; s < count_; ++s) link(s);
     find_runs();
     measure();
   }
+
+  // Unknowns by position, given those of the neighbours' order.
+  void name_unknowns(const std::vector<int>& order) { structure_.order = composed(order, old_); }
 
   Structure take() { return std::move(structure_); }
 
  private:
   void number(const SupernodeTree& tree, const std::vector<int>& order_of_nodes,
-              const std::vector<int>& column_order) {
+              const std::vector<int>& post) {
     count_ = static_cast<int>(order_of_nodes.size());
     structure_.supernode.resize(static_cast<std::size_t>(count_) + 1);
     std::vector<int> number_of(tree.node.size(), -1);
@@ -90,35 +91,58 @@ class StructureBuilder {
     for (int s = 0; s < count_; ++s) {
       const SupernodeTree::Node& node = tree.node[order_of_nodes[s]];
       Supernode& supernode = structure_.supernode[s];
-      supernode.first = static_cast<int>(structure_.order.size());
+      supernode.first = static_cast<int>(old_.size());
       supernode.columns = node.columns;
       supernode.rows = node.rows;
       supernode.parent = node.parent < 0 ? -1 : number_of[node.parent];
-      for (int j = node.first; j != -1; j = tree.next[j]) structure_.order.push_back(column_order[j]);
+      for (int j = node.first; j != -1; j = tree.next[j]) old_.push_back(post[j]);
     }
-    structure_.supernode.back().first = static_cast<int>(structure_.order.size());
+    structure_.supernode.back().first = static_cast<int>(old_.size());
+  }
+
+  // Children stand before their parents, and so do their lists.
+  void list_children() {
+    std::vector<std::int64_t> place(static_cast<std::size_t>(count_) + 1, 0);
+    for (int s = 0; s < count_; ++s)
+      if (const int parent = structure_.supernode[s].parent; parent >= 0) ++place[parent + 1];
+    for (int s = 0; s < count_; ++s) place[s + 1] += place[s];
+    for (int s = 0; s <= count_; ++s) structure_.supernode[s].child = place[s];
+    structure_.child.resize(static_cast<std::size_t>(place[count_]));
+    for (int s = 0; s < count_; ++s)
+      if (const int parent = structure_.supernode[s].parent; parent >= 0)
+        structure_.child[static_cast<std::size_t>(place[parent]++)] = s;
+  }
+
+  std::span<const int> children(int s) const {
+    const std::int64_t begin = structure_.supernode[s].child, end = structure_.supernode[s + 1].child;
+    return {structure_.child.data() + begin, static_cast<std::size_t>(end - begin)};
+  }
+
+  // Calls visit(position, place among the neighbours) for all later neighbours of a position.
+  template <class Visit>
+  void for_later(int position, const Visit& visit) const {
+    for (int k = later_.start[old_[position]]; k < later_.start[old_[position] + 1]; ++k)
+      visit(position_of_[later_.position[k]], k);
   }
 
   // Rows, values and children of a supernode, all of whose children are there.
-  void add(int s, const std::vector<int>& children) {
+  void add(int s) {
     Supernode& node = structure_.supernode[s];
     node.row = static_cast<std::int64_t>(structure_.row.size());
     node.values = structure_.values;
     node.leading = padded(node.rows);
-    node.child = static_cast<std::int64_t>(structure_.child.size());
     if (node.leading * node.rows > std::numeric_limits<std::uint32_t>::max())
       throw Error(ErrorKind::resource,
                   "cholesky: a front of " + std::to_string(node.rows) + " rows is too large");
     structure_.values += node.leading * node.columns;
-    structure_.child.insert(structure_.child.end(), children.begin(), children.end());
     const int end = node.first + node.columns;
     const auto take = [&](int position) {
       if (position < end || place_[position] == s) return;
       place_[position] = s;
       structure_.row.push_back(position);
     };
-    for (int k = later_.start[node.first]; k < later_.start[end]; ++k) take(later_.position[k]);
-    for (const int c : children) {
+    for (int j = node.first; j < end; ++j) for_later(j, [&](int position, int) { take(position); });
+    for (const int c : children(s)) {
       const Supernode& child = structure_.supernode[c];
       for (int i = 0; i < child.update_rows(); ++i)
         take(structure_.row[static_cast<std::size_t>(child.row + i)]);
@@ -127,7 +151,7 @@ class StructureBuilder {
   }
 
   // Where entries of A and rows of the children stand in the front.
-  void link(int s, const std::vector<int>& children) {
+  void link(int s) {
     Supernode& node = structure_.supernode[s];
     const int end = node.first + node.columns;
     for (int i = 0; i < node.columns; ++i) place_[node.first + i] = i;
@@ -135,11 +159,12 @@ class StructureBuilder {
       place_[structure_.row[static_cast<std::size_t>(node.row + i)]] = node.columns + i;
     node.entry = static_cast<std::int64_t>(structure_.entry.size());
     for (int j = node.first; j < end; ++j)
-      for (int k = later_.start[j]; k < later_.start[j + 1]; ++k)
+      for_later(j, [&](int position, int k) {
         structure_.entry.push_back(
             {later_.entry[k],
-             static_cast<std::uint32_t>((j - node.first) * node.leading + place_[later_.position[k]])});
-    for (const int c : children) {
+             static_cast<std::uint32_t>((j - node.first) * node.leading + place_[position])});
+      });
+    for (const int c : children(s)) {
       const Supernode& child = structure_.supernode[c];
       for (std::int64_t i = child.row; i < child.row + child.update_rows(); ++i)
         structure_.place_in_parent[static_cast<std::size_t>(i)] =
@@ -168,7 +193,6 @@ class StructureBuilder {
     end.row = static_cast<std::int64_t>(structure_.row.size());
     end.values = structure_.values;
     end.entry = static_cast<std::int64_t>(structure_.entry.size());
-    end.child = static_cast<std::int64_t>(structure_.child.size());
     for (int s = 0; s < count_; ++s) {
       Supernode& node = structure_.supernode[s];
       for (int j = 0; j < node.columns; ++j) node.subtree_flops += double(node.rows - j) * (node.rows - j);
@@ -184,7 +208,8 @@ class StructureBuilder {
   }
 
   Structure structure_;
-  LaterNeighbours later_;
+  const LaterNeighbours& later_;
+  std::vector<int> old_, position_of_;  // position -> position in the neighbours' order, and back
   std::vector<int> place_;
   int count_ = 0;
 };
@@ -202,18 +227,20 @@ Analysis::Analysis(const Pattern& pattern, std::span<const int> order, const Ama
     column_order.resize(static_cast<std::size_t>(pattern.size));
     std::iota(column_order.begin(), column_order.end(), 0);
   }
-  std::vector<int> parent = elimination_tree(later_neighbours(pattern, inverse(column_order)));
+  const LaterNeighbours later = later_neighbours(pattern, inverse(column_order));
+  std::vector<int> parent = elimination_tree(later);
   const std::vector<int> post = postorder(parent);
   parent = renumbered(parent, post);
-  column_order = composed(column_order, post);
-  const std::vector<int> count = column_counts(later_neighbours(pattern, inverse(column_order)), parent);
+  const std::vector<int> count = column_counts(later, post, parent);
   for (const int entries : count) {
     factor_nonzeros_ += entries;
     factor_flops_ += double(entries) * entries;
   }
   SupernodeTree tree = fundamental_supernodes(parent, count);
   merge_supernodes(tree, merge);
-  structure_ = StructureBuilder(tree, order_of_small_stack(tree), pattern, column_order).take();
+  StructureBuilder builder(tree, order_of_small_stack(tree), later, post);
+  builder.name_unknowns(column_order);
+  structure_ = builder.take();
 }
 
 }  // namespace isostretch::cholesky

@@ -17,7 +17,7 @@ namespace {
 
 // Columns of a front that are factorised before the rest is updated with them: what a thread reads of them
 // again and again stays in its cache.
-constexpr int block_columns = 128;
+constexpr int block_columns = 192;
 
 // Vectors of kernels may go on so far beyond the last value.
 constexpr std::int64_t overhang = 16;
@@ -27,7 +27,7 @@ constexpr double worth_sharing = 2e5;
 
 // What is above subtrees of more than this share of the operations that one thread should do finds no other
 // subtree that keeps the other threads busy: all threads do it together.
-constexpr double is_alone_to = 0.8;
+constexpr double is_alone_to = 1.1;
 
 std::size_t size(std::int64_t number) {
   return static_cast<std::size_t>(number);
@@ -202,24 +202,19 @@ void Factor::Elimination::add_update_of(int c, const Place& place, bool to_updat
            [&](int i) { add(begin + i * grain, std::min(end, begin + (i + 1) * grain)); });
 }
 
+// The triangle on the diagonal is one thread's; rows below it have nothing to do with each other.
 bool Factor::Elimination::factorize_columns(int s, const Place& place, bool shared) {
   const Front& front = place.front;
-  const int panel = kernels_->panel;
-  double inverse[8];
+  double inverse[block_columns];
   for (int from = 0; from < front.columns; from += block_columns) {
     const int end = std::min(front.columns, from + block_columns);
-    for (int first = from; first < end; first += panel) {
-      const int count = std::min(panel, end - first), below = first + count;
-      const int done = kernels_->diagonal(front, from, first, count, inverse);
-      if (done < count) {
-        note_failure(structure_.supernode[size(s)].first + first + done, inverse[done]);
-        return false;
-      }
-      const double work = double(front.rows - below) * (below - from) * count;
-      for_chunks(front.rows - below, shared && work > worth_sharing, [&](int begin, int last) {
-        kernels_->below(front, from, first, count, inverse, below + begin, below + last);
-      });
-    }
+    if (!factorize_triangle(s, front, from, end, inverse)) return false;
+    const double work = double(front.rows - end) * (end - from) * (end - from);
+    for_chunks(front.rows - end, shared && work > worth_sharing, [&](int begin, int last) {
+      for (int first = from; first < end; first += kernels_->panel)
+        kernels_->below(front, from, first, std::min(kernels_->panel, end - first), inverse + (first - from),
+                        end + begin, end + last);
+    });
     if (end == front.columns) break;
     const double* a = front.values + size(from) * front.leading + size(end);
     double* c = front.values + size(end) * front.leading + size(end);
@@ -227,6 +222,20 @@ bool Factor::Elimination::factorize_columns(int s, const Place& place, bool shar
       kernels_->update(a, front.leading, end - from, c, front.leading, front.columns - end, begin, last,
                        true);
     });
+  }
+  return true;
+}
+
+bool Factor::Elimination::factorize_triangle(int s, const Front& front, int from, int end, double* inverse) {
+  const int panel = kernels_->panel;
+  for (int first = from; first < end; first += panel, inverse += panel) {
+    const int count = std::min(panel, end - first);
+    const int done = kernels_->diagonal(front, from, first, count, inverse);
+    if (done < count) {
+      note_failure(structure_.supernode[size(s)].first + first + done, inverse[done]);
+      return false;
+    }
+    if (first + count < end) kernels_->below(front, from, first, count, inverse, first + count, end);
   }
   return true;
 }

@@ -42,6 +42,7 @@ class Factor::Elimination {
   bool eliminate(int s, double* update, bool together);
   void assemble(int s, const Place& place, bool together);
   bool factorize_columns(int s, const Place& place, bool together);
+  bool factorize_triangle(int s, const Front& front, int from, int end, double* inverse);
   void make_update(const Place& place, bool together);
   void add_update_of(int child, const Place& place, bool to_update, bool together);
   void note_failure(int position, double pivot);

@@ -127,8 +127,16 @@ std::vector<int> postorder(const std::vector<int>& parent) {
   return order;
 }
 
-std::vector<int> column_counts(const LaterNeighbours& later, const std::vector<int>& parent) {
+std::vector<int> inverse(const std::vector<int>& order) {
+  std::vector<int> position(order.size());
+  for (std::size_t p = 0; p < order.size(); ++p) position[order[p]] = static_cast<int>(p);
+  return position;
+}
+
+std::vector<int> column_counts(const LaterNeighbours& later, const std::vector<int>& post,
+                               const std::vector<int>& parent) {
   const int n = static_cast<int>(parent.size());
+  const std::vector<int> position_of = inverse(post);
   std::vector<int> count(parent.size()), first_descendant(parent.size(), -1);
   for (int j = 0; j < n; ++j) {
     count[at(j)] = first_descendant[at(j)] == -1 ? 1 : 0;
@@ -137,8 +145,9 @@ std::vector<int> column_counts(const LaterNeighbours& later, const std::vector<i
   RowSubtrees rows(parent.size());
   for (int j = 0; j < n; ++j) {
     if (parent[at(j)] >= 0) --count[at(parent[at(j)])];
-    for (int k = later.start[at(j)]; k < later.start[at(j) + 1]; ++k) {
-      const int i = later.position[at(k)];
+    const std::size_t old = at(post[at(j)]);
+    for (int k = later.start[old]; k < later.start[old + 1]; ++k) {
+      const int i = position_of[at(later.position[at(k)])];
       int common = -1;
       if (i == j || !rows.takes_leaf(i, j, first_descendant[at(j)], common)) continue;
       ++count[at(j)];

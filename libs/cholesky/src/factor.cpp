@@ -1,4 +1,5 @@
 #include "elimination.hpp"
+#include "threads.hpp"
 
 #include <isostretch/core/error.hpp>
 
@@ -8,7 +9,7 @@ Factor::Factor(const Analysis& analysis) : elimination_(new Elimination(analysis
 Factor::~Factor() = default;
 
 std::int64_t Factor::bytes(int threads) const {
-  return elimination_->bytes(threads);
+  return elimination_->bytes(threads > 0 ? threads : most_threads());
 }
 
 void Factor::limit_memory(std::int64_t bytes) {

@@ -12,6 +12,13 @@ namespace {
 // of 16.
 constexpr int tile_packs = 3, tile_columns = lanes == 8 ? 8 : 4, tile_rows = tile_packs * lanes;
 
+// The lanes of a vector by number.
+ISOSTRETCH_INLINE Pack numbers() {
+  alignas(64) double number[lanes];
+  for (int i = 0; i < lanes; ++i) number[i] = i;
+  return load<Pack>(number);
+}
+
 template <int Packs, int Columns>
 struct Tile {
   Pack x[Columns][Packs];
@@ -56,6 +63,17 @@ struct Tile {
   ISOSTRETCH_INLINE void write(double* c, std::size_t leading) const {
     for (int j = 0; j < Columns; ++j)
       for (int p = 0; p < Packs; ++p) store(c + static_cast<std::size_t>(j) * leading + p * lanes, x[j][p]);
+  }
+
+  // The first `rows` rows; those after them stay as they are.
+  ISOSTRETCH_INLINE void write(double* c, std::size_t leading, int rows) const {
+    for (int p = 0; p < Packs; ++p) {
+      const auto inside = numbers() < Pack(static_cast<double>(rows - p * lanes));
+      for (int j = 0; j < Columns; ++j) {
+        double* to = c + static_cast<std::size_t>(j) * leading + p * lanes;
+        store(to, select(inside, x[j][p], load<Pack>(to)));
+      }
+    }
   }
 };
 
@@ -129,7 +147,10 @@ void below(const Front& front, int from, int first, int count, const double* inv
       tile.multiply(first - from, a + row, a + first, leading);
       tile.subtract_from(c + row, leading);
       tile.divide(c + first, leading, inverse);
-      tile.write(c + row, leading);
+      if (row + Packs * lanes <= end)
+        tile.write(c + row, leading);
+      else
+        tile.write(c + row, leading, end - row);
     });
   });
 }
@@ -153,13 +174,6 @@ void update(const double* a, std::size_t leading, int k, double* c, std::size_t 
       });
     });
   }
-}
-
-// The lanes of a vector by number.
-ISOSTRETCH_INLINE Pack numbers() {
-  alignas(64) double number[lanes];
-  for (int i = 0; i < lanes; ++i) number[i] = i;
-  return load<Pack>(number);
 }
 
 // What a vector covers beyond a run is written as it was: there is padding below every column.

@@ -65,8 +65,8 @@ class ScheduleBuilder {
   const Supernode& node(int s) const { return structure_.supernode[s]; }
 
   void make_units() {
-    // Small enough that the last subtree does not keep several threads waiting.
-    constexpr double subtrees = 32;
+    // Small enough that the last one does not keep several threads waiting.
+    constexpr double subtrees = 128;
     double total = 0;
     for (int s = 0; s < structure_.count(); ++s)
       if (node(s).parent < 0) total += node(s).subtree_flops;

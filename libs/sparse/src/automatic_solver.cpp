@@ -19,9 +19,8 @@ namespace {
 // nested dissection alone takes seconds.
 constexpr int largest_to_analyze = 300000;
 
-// Of the memory there is, a factor may take this share; and it takes about so many bytes an entry, with the
-// padding of supernodes and its work space.
-constexpr double share_of_memory = 0.6, bytes_per_entry = 11;
+// Of the memory there is, a factor and the work space for it may take this share.
+constexpr double share_of_memory = 0.6;
 
 // Multiplications of a solve by pcg, after which a factorization would have been no slower.
 constexpr int patience = 500;
@@ -52,7 +51,7 @@ class AutomaticSolver final : public Solver {
   FactorResult judged(const FactorResult& analysis, const SymmetricMatrix& A) {
     const Statistics& factor = chosen_->statistics();
     const bool too_large = analysis.status == FactorStatus::out_of_memory ||
-                           bytes_per_entry * factor.factor_nonzeros > share_of_memory * physical_memory();
+                           factor.factor_bytes > share_of_memory * physical_memory();
     if (too_large || (factor.factor_flops > most_flops_ && is_spatial(A))) return iterative(A);
     take_statistics();
     return analysis;
@@ -140,6 +139,7 @@ class AutomaticSolver final : public Solver {
     statistics_.ordering = from.ordering;
     statistics_.factor_nonzeros = from.factor_nonzeros;
     statistics_.factor_flops = from.factor_flops;
+    statistics_.factor_bytes = from.factor_bytes;
     statistics_.orderings += from.orderings - counted_.orderings;
     statistics_.ordering_seconds += from.ordering_seconds - counted_.ordering_seconds;
     statistics_.factorizations += from.factorizations - counted_.factorizations;

@@ -46,6 +46,7 @@ class MultifrontalSolver final : public Solver {
     factor_ = std::make_unique<cholesky::Factor>(analysis_);
     statistics_.factor_nonzeros = analysis_.factor_nonzeros();
     statistics_.factor_flops = analysis_.factor_flops();
+    statistics_.factor_bytes = static_cast<double>(factor_->bytes());
     return {};
   }
 

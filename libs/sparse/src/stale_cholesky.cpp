@@ -51,6 +51,7 @@ void StaleCholesky::report(Statistics& statistics) const {
   statistics.ordering_seconds = factor.ordering_seconds;
   statistics.factor_nonzeros = factor.factor_nonzeros;
   statistics.factor_flops = factor.factor_flops;
+  statistics.factor_bytes = factor.factor_bytes;
 }
 
 }  // namespace isostretch::sparse

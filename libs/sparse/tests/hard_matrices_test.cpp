@@ -38,7 +38,8 @@ void for_each_factorization(const Body& body) {
       options.backend = backend;
       options.ordering = ordering;
       const auto solver = make_solver(options);
-      const std::string name = std::string(backend_name(backend)) + ", " + std::string(ordering_name(ordering));
+      const std::string name =
+          std::string(backend_name(backend)) + ", " + std::string(ordering_name(ordering));
       CAPTURE(name);
       body(*solver, backend);
     }
@@ -131,7 +132,8 @@ double backward_error(const SymmetricMatrix& A, const Eigen::VectorXd& x, const 
 
 }  // namespace
 
-TEST_CASE("hard matrices: backward errors are those of a stable factorization, ours no larger than CHOLMOD's") {
+TEST_CASE(
+    "hard matrices: backward errors are those of a stable factorization, ours no larger than CHOLMOD's") {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   int compared = 0;

@@ -307,6 +307,7 @@ TEST_CASE("sparse solver: statistics say what was done") {
     CHECK(s.backend != Backend::automatic);
     CHECK(s.ordering != Ordering::automatic);
     CHECK(s.factor_nonzeros >= A.nonzeros());
+    if (s.backend == Backend::multifrontal) CHECK(s.factor_bytes >= 8 * s.factor_nonzeros);
     CHECK(s.analyze_seconds > 0);
     CHECK(s.ordering_seconds <= s.analyze_seconds);
     CHECK(s.factorize_seconds > 0);

@@ -37,8 +37,9 @@ class Factor {
   Factor(const Factor&) = delete;
   Factor& operator=(const Factor&) = delete;
 
-  /// Returns the bytes that factorizations take with so many threads, besides those of the analysis.
-  std::int64_t bytes(int threads) const;
+  /// Returns the bytes that factorizations take with so many threads, besides those of the analysis; 0: with
+  /// those that the next one will have.
+  std::int64_t bytes(int threads = 0) const;
   /// Refuses factorizations that would take more bytes, without taking them; 0: no limit.
   void limit_memory(std::int64_t bytes);
 

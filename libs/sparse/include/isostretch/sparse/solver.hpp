@@ -55,6 +55,9 @@ struct Statistics {
   double factor_nonzeros = 0;  ///< nnz(L) with the diagonal, without supernodal padding
   /// Operations of one factorization; 0 where the back end does not say.
   double factor_flops = 0;
+  /// Bytes of the factor and of what factorizations need besides, as the analysis predicts them; 0 where the
+  /// back end does not say.
+  double factor_bytes = 0;
   double ordering_seconds = 0;  ///< part of analyze_seconds
   double analyze_seconds = 0;   ///< seconds and calls add up over the life of the solver
   /// Time of numeric factorizations, in seconds.
