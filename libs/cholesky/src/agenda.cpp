@@ -4,6 +4,14 @@
 #include <thread>
 
 namespace isostretch::cholesky {
+namespace {
+
+struct ShorterPath {
+  const Schedule* schedule;
+  bool operator()(int a, int b) const { return schedule->unit[a].path < schedule->unit[b].path; }
+};
+
+}  // namespace
 
 void Agenda::reserve(std::size_t units) {
   ready_.reserve(units);
@@ -30,8 +38,7 @@ int Agenda::take() {
     const std::lock_guard lock(mutex_);
     if (open_ == 0) return -1;
     if (ready_.empty()) continue;
-    std::pop_heap(ready_.begin(), ready_.end(),
-                  [this](int a, int b) { return schedule_->unit[a].path < schedule_->unit[b].path; });
+    std::pop_heap(ready_.begin(), ready_.end(), ShorterPath{schedule_});
     const int unit = ready_.back();
     ready_.pop_back();
     --open_;
@@ -47,8 +54,7 @@ void Agenda::finish(int unit) {
 
 void Agenda::offer(int unit) {
   ready_.push_back(unit);
-  std::push_heap(ready_.begin(), ready_.end(),
-                 [this](int a, int b) { return schedule_->unit[a].path < schedule_->unit[b].path; });
+  std::push_heap(ready_.begin(), ready_.end(), ShorterPath{schedule_});
 }
 
 }  // namespace isostretch::cholesky

@@ -186,19 +186,20 @@ TEST_CASE("a large front is factorised in blocks") {
 }
 
 TEST_CASE("the same bits for any number of threads") {
-  const Matrix A = grid(34, 31, 2);
-  const std::vector<int> order = shuffled(A.size, 9);
-  const Analysis analysis(A.pattern(), order);
-  const Eigen::VectorXd b = Eigen::VectorXd::Random(A.size);
-  set_threads(0);
-  std::vector<Eigen::VectorXd> solutions;
-  for (const int threads : {1, 2, 3, 5}) {
-    set_threads(threads);
-    Factor factor(analysis);
-    REQUIRE(factor.factorize(A.value.data()));
-    Eigen::VectorXd& x = solutions.emplace_back(A.size);
-    factor.solve(b.data(), x.data());
-    CHECK((x.array() == solutions.front().array()).all());
+  // Many small fronts; and a few large ones, which threads share.
+  for (const Matrix& A : {grid(34, 31, 2), random_matrix(900, 0.005, 4)}) {
+    const Analysis analysis(A.pattern(), shuffled(A.size, 9));
+    const Eigen::VectorXd b = Eigen::VectorXd::Random(A.size);
+    set_threads(0);
+    std::vector<Eigen::VectorXd> solutions;
+    for (const int threads : {1, 2, 3, 5, 2, 5}) {
+      set_threads(threads);
+      Factor factor(analysis);
+      REQUIRE(factor.factorize(A.value.data()));
+      Eigen::VectorXd& x = solutions.emplace_back(A.size);
+      factor.solve(b.data(), x.data());
+      CHECK((x.array() == solutions.front().array()).all());
+    }
   }
   set_threads(0);
 }

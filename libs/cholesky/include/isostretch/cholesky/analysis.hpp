@@ -59,7 +59,7 @@ struct Structure {
   std::vector<Supernode> supernode;  ///< The supernodes; one more ends the lists of the last.
   std::vector<int> row;              ///< Positions of the rows below the diagonal blocks, ascending in each.
   std::vector<int> place_in_parent;  ///< For each entry of `row`, the row of the parent's front.
-  std::vector<Run> run;              ///< The same by runs.
+  std::vector<Run> run;              ///< Rows of update matrices in the fronts of their parents, by runs.
   std::vector<int> child;            ///< Children, in the order in which their update matrices are added.
   std::vector<EntryPlace> entry;     ///< Entries of A by front.
   std::vector<int> order;            ///< Unknown of each position.
