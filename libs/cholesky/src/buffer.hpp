@@ -4,6 +4,10 @@
 #include <cstdint>
 #include <new>
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 namespace isostretch::cholesky {
 
 // Numbers on cache lines of their own, not set to anything.
@@ -13,25 +17,38 @@ class Buffer {
   ~Buffer() { free(); }
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
-  Buffer(Buffer&& other) noexcept : data_(other.data_) { other.data_ = nullptr; }
+  Buffer(Buffer&& other) noexcept : data_(other.data_), alignment_(other.alignment_) {
+    other.data_ = nullptr;
+  }
 
   // False where there is no memory.
   bool allocate(std::int64_t values) {
     free();
-    data_ = static_cast<double*>(::operator new(static_cast<std::size_t>(values) * sizeof(double),
-                                                std::align_val_t(64), std::nothrow));
+    const std::size_t bytes = static_cast<std::size_t>(values) * sizeof(double);
+    alignment_ = std::align_val_t(bytes < large ? cache_line : huge_page);
+    data_ = static_cast<double*>(::operator new(bytes, alignment_, std::nothrow));
+#if defined(__linux__)
+    // Touched for the first time by pages of 4 KB, a large factor can cost more than its factorization. Where
+    // the system has no large pages to give, nothing is lost.
+    if (data_ != nullptr && bytes >= large) ::madvise(data_, bytes / huge_page * huge_page, MADV_HUGEPAGE);
+#endif
     return data_ != nullptr;
   }
 
-  double* data() const { return data_; }
+  double* data() const {
+    return data_;
+  }
 
  private:
   void free() noexcept {
-    ::operator delete(data_, std::align_val_t(64));
+    ::operator delete(data_, alignment_);
     data_ = nullptr;
   }
 
+  static constexpr std::size_t cache_line = 64, huge_page = std::size_t(1) << 21,
+                               large = std::size_t(1) << 25;
   double* data_ = nullptr;
+  std::align_val_t alignment_{cache_line};
 };
 
 }  // namespace isostretch::cholesky
