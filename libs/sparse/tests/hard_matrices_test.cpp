@@ -95,7 +95,7 @@ SymmetricMatrix diagonal(int size) {
 }
 
 std::vector<std::pair<std::string, SymmetricMatrix>> hard_matrices() {
-  const SymmetricMatrix grid = grid_2d(25), body = grid_3d(8);
+  const SymmetricMatrix grid = grid_2d(16), body = grid_3d(5);
   std::mt19937 random(5);
   const auto logarithmic = [&](int size, double decades) {
     std::uniform_real_distribution<double> exponent(-decades / 2, 0);
@@ -108,8 +108,8 @@ std::vector<std::pair<std::string, SymmetricMatrix>> hard_matrices() {
   return {{"graded over 16 decades", scaled(grid, descending)},
           {"scaled at random over 16 decades", scaled(grid, logarithmic(grid.size, 16))},
           {"a body, scaled at random over 16 decades", scaled(body, logarithmic(body.size, 16))},
-          {"nearly singular in the plane", grid_2d(25, 1e-12)},
-          {"nearly singular in space", grid_3d(8, 1e-12)},
+          {"nearly singular in the plane", grid_2d(16, 1e-12)},
+          {"nearly singular in space", grid_3d(5, 1e-12)},
           {"a full first row", arrow(300, 0)},
           {"a full row in the middle", arrow(301, 150)},
           {"a full last row", arrow(300, 299)},
