@@ -16,7 +16,7 @@ define_property(GLOBAL PROPERTY ISOSTRETCH_FEATURES BRIEF_DOCS "lines of the con
 
 # isostretch_add_library(newton
 #   SOURCES src/a.cpp ...            compiled plainly; leave out for a header-only library
-#   SEPARATE src/c.cpp ... or ALL    those of them that are compiled by themselves in a unity build: their names clash
+#   SEPARATE src/c.cpp ...           those of them, or tests, that a unity build compiles by themselves: their names clash
 #   KERNELS src/k.cpp ...            compiled once per instruction-set level (IsostretchKernels.cmake)
 #   COMPONENTS assembly ...          our own libraries, public
 #   PACKAGES "Eigen3 3.4 NO_MODULE"  find_package calls that a consumer of this component needs too
@@ -38,9 +38,7 @@ function(isostretch_add_library name)
     set(scope PUBLIC)
     add_library(${target} ${A_SOURCES})
     isostretch_enable_warnings(${target})
-    if(NOT A_SEPARATE STREQUAL "ALL")
-      isostretch_unite_sources(${target} SEPARATE ${A_SEPARATE})
-    endif()
+    isostretch_unite_sources(${target} SEPARATE ${A_SEPARATE})
     isostretch_add_kernels(${target} ${A_KERNELS})
     # A shared library calls its own copies of Eigen's inline functions, not those of a program that may have been
     # compiled with another -march and allocates differently.
@@ -100,7 +98,6 @@ function(isostretch_unite_sources target)
   cmake_parse_arguments(A "" "" "SEPARATE" ${ARGN})
   if(ISOSTRETCH_UNITY_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-    target_compile_options(${target} PRIVATE -Wno-shadow)  # names of one file may hide those of another
     set_source_files_properties(${A_SEPARATE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
 endfunction()

@@ -66,13 +66,6 @@ std::int64_t Factor::Elimination::bytes(int threads) const {
          static_cast<std::int64_t>(structure_.supernode.size() * sizeof(double*));
 }
 
-double Factor::Elimination::total_flops() const {
-  double total = 0;
-  for (const Unit& unit : schedule_.unit)
-    if (unit.parent < 0) total += unit.flops;
-  return total;
-}
-
 bool Factor::Elimination::take_memory(int threads) {
   if (most_bytes > 0 && bytes(threads) > most_bytes) return false;
   try {
@@ -98,11 +91,11 @@ bool Factor::Elimination::take_memory(int threads) {
 FactorizeResult Factor::Elimination::factorize(const double* values) {
   ready = false;
   kernels_ = &active_table();
-  if (!take_memory(most_threads())) return {FactorizeStatus::out_of_memory, -1};
+  const int threads = most_threads();
+  if (!take_memory(threads)) return {FactorizeStatus::out_of_memory, -1};
   values_ = values;
   failed_ = analysis_.size();
-  const int threads = most_threads();
-  const double alone = is_alone_to * total_flops() / threads;
+  const double alone = is_alone_to * schedule_.flops / threads;
   agenda_.begin(schedule_, alone);
 #pragma omp parallel num_threads(threads) if (threads > 1 && schedule_.unit.size() > 1)
   for (int u; (u = agenda_.take()) >= 0; agenda_.finish(u))

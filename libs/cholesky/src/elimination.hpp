@@ -36,7 +36,6 @@ class Factor::Elimination {
   Place place_of(int s, double* update) const;
 
   bool take_memory(int threads);
-  double total_flops() const;
   void run(const Unit& unit, double* stack, bool shared);
   void subtree(const Unit& part, double* stack);
   bool eliminate(int s, double* update, bool together);

@@ -67,10 +67,9 @@ class ScheduleBuilder {
   void make_units() {
     // Small enough that the last one does not keep several threads waiting.
     constexpr double subtrees = 128;
-    double total = 0;
     for (int s = 0; s < structure_.count(); ++s)
-      if (node(s).parent < 0) total += node(s).subtree_flops;
-    const auto is_top = [&](int s) { return node(s).subtree_flops > total / subtrees; };
+      if (node(s).parent < 0) schedule_.flops += node(s).subtree_flops;
+    const auto is_top = [&](int s) { return node(s).subtree_flops > schedule_.flops / subtrees; };
     std::vector<int> first(unit_of_.size());
     for (int s = 0; s < structure_.count(); ++s) {
       const bool is_leaf = node(s).child == node(s + 1).child;

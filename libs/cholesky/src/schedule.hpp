@@ -24,6 +24,7 @@ struct Schedule {
   std::vector<Unit> unit;            // ascending
   std::vector<int> subtree, top;     // numbers of units: the largest subtrees first, the top ascending
   std::vector<std::int64_t> update;  // of every root of a unit: place of its update matrix in the pool
+  double flops = 0;                  // of all
   std::int64_t stack = 0;            // values of the largest stack of a subtree
   std::int64_t pool = 0;             // values of the pool
   int most_rows = 0;                 // of a front

@@ -1,8 +1,11 @@
 // Memory that cannot be had, at every place where some is taken.
+#include "matrices.hpp"
+
 #include <isostretch/cholesky/factor.hpp>
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -26,7 +29,7 @@ void* taken(std::size_t bytes) {
 
 void* taken(std::size_t bytes, std::align_val_t alignment) {
   const auto to = static_cast<std::size_t>(alignment);
-  return fails() ? nullptr : std::aligned_alloc(to, (bytes + to - 1) / to * to + (bytes == 0 ? to : 0));
+  return fails() ? nullptr : std::aligned_alloc(to, (std::max<std::size_t>(bytes, 1) + to - 1) / to * to);
 }
 
 void* or_throw(void* memory) {
@@ -62,41 +65,17 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
 }
 
 using namespace isostretch::cholesky;
-
-namespace {
-
-// The Laplacian of a square grid, large enough for several subtrees.
-struct Grid {
-  std::vector<int> start{0}, row;
-  std::vector<double> value;
-  int size = 0;
-
-  explicit Grid(int width) : size(width * width) {
-    const auto add = [&](int r, double v) {
-      row.push_back(r);
-      value.push_back(v);
-    };
-    for (int j = 0; j < size; ++j) {
-      add(j, 4.1);
-      if (j % width + 1 < width) add(j + 1, -1);
-      if (j + width < size) add(j + width, -1);
-      start.push_back(static_cast<int>(row.size()));
-    }
-  }
-  Pattern pattern() const { return {size, start.data(), row.data()}; }
-};
-
-}  // namespace
+using namespace isostretch::cholesky::test;
 
 TEST_CASE("memory: an analysis that gets none throws, and leaves nothing behind") {
-  const Grid grid(12);
-  const Analysis whole(grid.pattern());
+  const Matrix A = grid(12, 12, 1);
+  const Analysis whole(A.pattern());
   int tried = 0, thrown = 0;
   for (bool done = false; !done; ++tried) {
     const int before = failures;
     until_failure = tried;
     try {
-      const Analysis analysis(grid.pattern());
+      const Analysis analysis(A.pattern());
       // Sorting does without the memory that it would like to have.
       until_failure = -1;
       CHECK(analysis.factor_nonzeros() == whole.factor_nonzeros());
@@ -110,35 +89,35 @@ TEST_CASE("memory: an analysis that gets none throws, and leaves nothing behind"
 }
 
 TEST_CASE("memory: a factorization that gets none says so, and succeeds when there is some") {
-  const Grid grid(12);
-  const Analysis analysis(grid.pattern());
+  const Matrix A = grid(12, 12, 1);
+  const Analysis analysis(A.pattern());
   int tried = 0;
   for (bool done = false; !done; ++tried) {
     Factor factor(analysis);
     until_failure = tried;
-    const FactorizeResult first = factor.factorize(grid.value.data());
+    const FactorizeResult first = factor.factorize(A.value.data());
     until_failure = -1;
     done = static_cast<bool>(first);
     if (!done) CHECK(first.status == FactorizeStatus::out_of_memory);
     CHECK(factor.is_ready() == done);
-    REQUIRE(factor.factorize(grid.value.data()));
+    REQUIRE(factor.factorize(A.value.data()));
   }
   CHECK(tried > 4);
 }
 
 TEST_CASE("memory: a solve that gets none throws, and the factor stays; a refactorization takes none") {
-  const Grid grid(12);
-  const Analysis analysis(grid.pattern());
+  const Matrix A = grid(12, 12, 1);
+  const Analysis analysis(A.pattern());
   Factor factor(analysis);
-  REQUIRE(factor.factorize(grid.value.data()));
+  REQUIRE(factor.factorize(A.value.data()));
   const int before = failures;
   until_failure = 0;
-  CHECK(factor.factorize(grid.value.data()));
+  CHECK(factor.factorize(A.value.data()));
   CHECK(failures == before);
   until_failure = -1;
 
   for (const int columns : {1, 3, 20}) {
-    const std::vector<double> b(static_cast<std::size_t>(grid.size * columns), 1.0);
+    const std::vector<double> b(static_cast<std::size_t>(A.size * columns), 1.0);
     std::vector<double> x(b.size());
     int tried = 0;
     for (bool done = false; !done; ++tried) {

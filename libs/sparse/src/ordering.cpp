@@ -6,6 +6,7 @@
 #include <Eigen/OrderingMethods>
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 #include <new>
 #include <numeric>
@@ -72,6 +73,8 @@ struct Adjacency {
         for (int k = lower.column_start[j]; k < lower.column_start[j + 1]; ++k)
           if (lower.row[k] != j) visit(j, lower.row[k]);
     };
+    if (2.0 * lower.nonzeros() > static_cast<double>(std::numeric_limits<idx_t>::max()))
+      throw Error(ErrorKind::resource, "the metis ordering: the graph has more edges than METIS can count");
     for_each_edge([&](int a, int b) { ++start[a + 1], ++start[b + 1]; });
     std::partial_sum(start.begin(), start.end(), start.begin());
     neighbour.resize(static_cast<std::size_t>(start.back()));

@@ -1,4 +1,5 @@
 // Factorizations of matrices that are hard on one: backward errors, honest definiteness, known solutions.
+#include "every_solver.hpp"
 #include "matrices.hpp"
 
 #include <isostretch/sparse/solver.hpp>
@@ -21,28 +22,17 @@ using namespace isostretch::sparse::test;
 
 namespace {
 
-std::vector<Backend> factorizations() {
-  std::vector<Backend> result;
-  for (const Backend backend :
-       {Backend::multifrontal, Backend::cholmod_supernodal, Backend::cholmod_simplicial, Backend::eigen_ldlt})
-    if (is_available(backend)) result.push_back(backend);
-  return result;
-}
-
-// Calls body(solver, name) for every factorization in every order there is.
+// Calls body(solver, back end) for every factorization in every order there is.
 template <class Body>
 void for_each_factorization(const Body& body) {
-  for (const Backend backend : factorizations())
-    for (const Ordering ordering : available_orderings()) {
-      Options options;
-      options.backend = backend;
-      options.ordering = ordering;
-      const auto solver = make_solver(options);
-      const std::string name =
-          std::string(backend_name(backend)) + ", " + std::string(ordering_name(ordering));
-      CAPTURE(name);
-      body(*solver, backend);
-    }
+  for_each_solver([&](const Options& options) {
+    const auto factorizations = {Backend::multifrontal, Backend::cholmod_supernodal,
+                                 Backend::cholmod_simplicial, Backend::eigen_ldlt};
+    if (std::find(factorizations.begin(), factorizations.end(), options.backend) == factorizations.end())
+      return;
+    const auto solver = make_solver(options);
+    body(*solver, options.backend);
+  });
 }
 
 SymmetricMatrix tridiagonal(int size, double shift = 0) {
