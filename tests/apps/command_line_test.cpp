@@ -64,7 +64,8 @@ TEST_SUITE("command lines") {
                                          "VERTEX[:U,V]", "VERTEX:U,V[:WEIGHT]", "NAME=VALUE", "HANDLE"};
     int refused = 0;
     for (const std::string& app : apps)
-      for (const auto& [flag, type] : flags_of(app)) {
+      for (const auto& one : flags_of(app)) {
+        const auto& [flag, type] = one;
         std::vector<std::string> values;
         if (numeric.count(type))
           values = {"nan", "-nan", "NaN", "inf", "-inf", "1e400", "1x", ""};
@@ -73,7 +74,7 @@ TEST_SUITE("command lines") {
                     "0:0,0:nan", "mu=nan",  "sphere:0,0,0,nan", "inf"};
         for (const std::string& value : values) {
           CAPTURE(app);
-          CAPTURE(flag);
+          CAPTURE(one.name);
           CAPTURE(value);
           const Outcome outcome = run({app, "no_such_file.msh", flag + "=" + value, "--out", "never_made"});
           // Interpolation wants a second file; what is read first is refused first.

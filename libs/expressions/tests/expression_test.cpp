@@ -235,8 +235,9 @@ TEST_SUITE("expressions") {
                                                {"sum((1+s^6)^-2)", {{10, 0.5}}},
                                                {"sum(sin(exp(-1/(s-1)^2)))+I2", {{1.0372, 1.037}}},
                                                {"I2 + abs(0.3*s1 - 0.3*s2)", {{1.3, 1.1}}}};
-    for (const auto& [text, s] : cases) {
-      CAPTURE(text);
+    for (const auto& one : cases) {
+      const auto& [text, s] = one;
+      CAPTURE(one.first);
       const auto d = energies::derivatives_at(parse_energy(text), s);
       const double exact = (d.gradient[0] - d.gradient[1]) / (s[0] - s[1]);
       CHECK(std::abs(d.flip[0] - exact) <= 1e-11 * std::abs(exact));

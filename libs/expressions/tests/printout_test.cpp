@@ -46,9 +46,9 @@ class Printed {
   Printed(const std::string& text, const Parameters& parameters,
           invariants::PrincipalStretches<Dim, double> s)
       : parameters_(parameters), s_(s) {
-    for (const auto& [name, formula] : print_derivatives(text, Dim)) {
-      REQUIRE_MESSAGE(!formula.empty(), name);
-      formulas_[name] = formula;
+    for (const expressions::Formula& printed : print_derivatives(text, Dim)) {
+      REQUIRE_MESSAGE(!printed.text.empty(), printed.name);
+      formulas_[printed.name] = printed.text;
     }
   }
 

@@ -4,12 +4,31 @@
 
 namespace isostretch::scene {
 
+Value::Value() = default;
+Value::Value(bool truth) : data_(truth) {}
+Value::Value(int number) : data_(static_cast<double>(number)) {}
+Value::Value(double number) : data_(number) {}
+Value::Value(const char* text) : data_(std::string(text)) {}
+Value::Value(std::string text) : data_(std::move(text)) {}
+Value::Value(const Value& other) = default;
+Value::Value(Value&& other) noexcept = default;
+Value& Value::operator=(const Value& other) = default;
+Value& Value::operator=(Value&& other) noexcept = default;
+Value::~Value() = default;
 Value::Value(std::vector<double> numbers) : data_(List(numbers.begin(), numbers.end())) {}
+
+Value Value::list() {
+  return list(List());
+}
 
 Value Value::list(List items) {
   Value value;
   value.data_ = std::move(items);
   return value;
+}
+
+Value Value::object() {
+  return object(Object());
 }
 
 Value Value::object(Object members) {
@@ -58,6 +77,11 @@ Value Value::take(const std::string& key) {
 void Value::push_back(Value item) {
   if (is_null()) data_ = List();
   items().push_back(std::move(item));
+}
+
+// Here, where Member is complete, which comparing a variant of lists of them needs.
+bool operator==(const Value& a, const Value& b) {
+  return a.data_ == b.data_;
 }
 
 }  // namespace isostretch::scene

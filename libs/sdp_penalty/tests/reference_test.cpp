@@ -23,7 +23,8 @@ void report(const std::string& name, const Summary& summary) {
 }  // namespace
 
 static void check_interior_point(const std::vector<tests::Reference>& references) {
-  for (const auto& [name, json, reference, rest] : references) {
+  for (const auto& [key, json, reference, rest] : references) {
+    const std::string& name = key;
     sdp_penalty::Problem problem = reference;
     for (const std::string kind : {"sdp", "sdp_eps"}) {
       CAPTURE(name);
@@ -57,8 +58,9 @@ TEST_CASE("outside optima: interior point, both margins" * tests::outside_data({
 }
 
 static void check_penalty_path(const std::vector<tests::Reference>& references) {
-  for (const auto& [name, json, problem, rest] : references)
+  for (const auto& [key, json, problem, rest] : references)
     for (const Penalty penalty : sdp_penalty::all_penalties()) {
+      const std::string& name = key;
       CAPTURE(name);
       CAPTURE(sdp_penalty::penalty_name(penalty));
       Options options;
@@ -85,7 +87,8 @@ TEST_CASE("outside optima: the penalty path, certified, whichever the penalty" *
 }
 
 static void check_whole_penalty_path(const std::vector<tests::Reference>& references) {
-  for (const auto& [name, json, problem, rest] : references) {
+  for (const auto& [key, json, problem, rest] : references) {
+    const std::string& name = key;
     CAPTURE(name);
     Options options;
     options.method = Method::penalty;
@@ -113,7 +116,8 @@ TEST_CASE("outside optima: the whole penalty path reaches the optimum of epsilon
 
 static void check_augmented_lagrangians(const std::vector<tests::Reference>& references) {
   for (const Method method : {Method::augmented_lagrangian, Method::spectral_sdp, Method::pennon})
-    for (const auto& [name, json, problem, rest] : references) {
+    for (const auto& [key, json, problem, rest] : references) {
+      const std::string& name = key;
       CAPTURE(name);
       CAPTURE(sdp_penalty::method_name(method));
       Options options;

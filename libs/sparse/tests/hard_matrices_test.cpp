@@ -127,8 +127,9 @@ TEST_CASE(
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   int compared = 0;
-  for (const auto& [name, A] : hard_matrices()) {
-    CAPTURE(name);
+  for (const auto& matrix : hard_matrices()) {
+    const auto& A = matrix.second;
+    CAPTURE(matrix.first);
     Eigen::VectorXd b(A.size);
     for (double& value : b) value = normal(random);
     std::map<Backend, double> worst;

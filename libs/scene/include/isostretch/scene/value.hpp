@@ -20,23 +20,36 @@ class Value {
   /// The members of an object.
   using Object = std::vector<Member>;
 
-  Value() = default;  ///< null
+  // Nothing that makes, copies or destroys a value is defined here: a member of an object is not complete
+  // yet.
+
+  /// Makes null.
+  Value();
   /// Makes true or false.
-  Value(bool truth) : data_(truth) {}
+  Value(bool truth);
   /// Makes a number.
-  Value(int number) : data_(static_cast<double>(number)) {}
+  Value(int number);
   /// Makes a number.
-  Value(double number) : data_(number) {}
+  Value(double number);
   /// Makes a text.
-  Value(const char* text) : data_(std::string(text)) {}
+  Value(const char* text);
   /// Makes a text.
-  Value(std::string text) : data_(std::move(text)) {}
+  Value(std::string text);
   /// Makes a list of numbers.
   Value(std::vector<double> numbers);
+  Value(const Value& other);
+  Value(Value&& other) noexcept;
+  Value& operator=(const Value& other);
+  Value& operator=(Value&& other) noexcept;
+  ~Value();
+  /// Makes a list of nothing.
+  static Value list();
   /// Makes a list of these.
-  static Value list(List items = {});
+  static Value list(List items);
+  /// Makes an object without keys.
+  static Value object();
   /// Makes an object of these, each key once.
-  static Value object(Object members = {});
+  static Value object(Object members);
   /// Makes an object with one key.
   static Value object(const std::string& key, Value value);
 
@@ -53,7 +66,7 @@ class Value {
   /// Returns whether the value is an object.
   bool is_object() const { return std::holds_alternative<Object>(data_); }
 
-  /// Returns the truth that the value is, which must be one., which must be of that kind.
+  /// Returns the truth that the value is, which must be one.
   bool truth() const { return std::get<bool>(data_); }
   /// Returns the number that the value is, which must be one.
   double number() const { return std::get<double>(data_); }
@@ -90,7 +103,7 @@ class Value {
   void set_origin(std::string path) { origin_ = std::move(path); }
 
   /// Compares all but origins.
-  friend bool operator==(const Value& a, const Value& b) { return a.data_ == b.data_; }
+  friend bool operator==(const Value& a, const Value& b);
 
  private:
   std::variant<std::monostate, bool, double, std::string, List, Object> data_;
