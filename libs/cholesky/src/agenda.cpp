@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 namespace isostretch::cholesky {
 namespace {
@@ -18,18 +19,18 @@ void Agenda::reserve(std::size_t units) {
   waiting_.reserve(units);
 }
 
-void Agenda::begin(const Schedule& schedule, double most_flops) {
+void Agenda::begin(const Schedule& schedule, const Storage& storage) {
   schedule_ = &schedule;
-  most_flops_ = most_flops;
+  storage_ = &storage;
   ready_.clear();
   waiting_.clear();
   open_ = 0;
   for (const Unit& unit : schedule.unit) {
-    waiting_.push_back(unit.children);
-    if (unit.flops <= most_flops) ++open_;
+    waiting_.push_back(unit.children + 1);
+    if (unit.flops <= storage.alone) ++open_;
   }
-  for (std::size_t u = 0; u < schedule.unit.size(); ++u)
-    if (waiting_[u] == 0 && schedule.unit[u].flops <= most_flops) offer(static_cast<int>(u));
+  for (const auto& wait : storage.waits) ++waiting_[wait.second];
+  for (std::size_t u = 0; u < schedule.unit.size(); ++u) release(static_cast<int>(u));
 }
 
 // Threads have little to wait for: what keeps one busy is over in a moment.
@@ -48,11 +49,16 @@ int Agenda::take() {
 
 void Agenda::finish(int unit) {
   const std::lock_guard lock(mutex_);
-  const int parent = schedule_->unit[unit].parent;
-  if (parent >= 0 && --waiting_[parent] == 0 && schedule_->unit[parent].flops <= most_flops_) offer(parent);
+  if (const int parent = schedule_->unit[unit].parent; parent >= 0) release(parent);
+  const auto& waits = storage_->waits;
+  for (auto wait = std::lower_bound(waits.begin(), waits.end(), std::pair(unit, 0));
+       wait != waits.end() && wait->first == unit; ++wait)
+    release(wait->second);
 }
 
-void Agenda::offer(int unit) {
+// One of those that the unit waits for is done.
+void Agenda::release(int unit) {
+  if (--waiting_[unit] > 0 || schedule_->unit[unit].flops > storage_->alone) return;
   ready_.push_back(unit);
   std::push_heap(ready_.begin(), ready_.end(), ShorterPath{schedule_});
 }

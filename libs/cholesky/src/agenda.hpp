@@ -1,6 +1,7 @@
 #pragma once
 
 #include "schedule.hpp"
+#include "storage.hpp"
 
 #include <cstddef>
 #include <mutex>
@@ -14,21 +15,21 @@ class Agenda {
  public:
   void reserve(std::size_t units);
 
-  // All units of at most so many operations with what is below them.
-  void begin(const Schedule& schedule, double most_flops);
+  // All units that are the work of single threads.
+  void begin(const Schedule& schedule, const Storage& storage);
   // Number of a unit whose children are done, as soon as there is one; -1: there is none left to wait for.
   int take();
   void finish(int unit);
 
  private:
-  void offer(int unit);
+  void release(int unit);
 
   const Schedule* schedule_ = nullptr;
+  const Storage* storage_ = nullptr;
   std::mutex mutex_;
   std::vector<int> ready_;    // heap
-  std::vector<int> waiting_;  // of every unit: children that are not done
+  std::vector<int> waiting_;  // of every unit: those that it waits for and are not done
   int open_ = 0;              // units that nobody has taken
-  double most_flops_ = 0;
 };
 
 }  // namespace isostretch::cholesky

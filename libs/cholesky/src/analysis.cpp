@@ -1,5 +1,5 @@
 #include "elimination_tree.hpp"
-#include "padding.hpp"
+#include "front.hpp"
 #include "supernode_tree.hpp"
 
 #include <isostretch/cholesky/analysis.hpp>
@@ -131,10 +131,11 @@ class StructureBuilder {
     node.row = static_cast<std::int64_t>(structure_.row.size());
     node.values = structure_.values;
     node.leading = padded(node.rows);
-    if (node.leading * node.rows > std::numeric_limits<std::uint32_t>::max())
+    const std::int64_t values = trapezoid_values(node.rows, node.columns);
+    if (values > std::numeric_limits<std::uint32_t>::max())
       throw Error(ErrorKind::resource,
                   "cholesky: a front of " + std::to_string(node.rows) + " rows is too large");
-    structure_.values += node.leading * node.columns;
+    structure_.values += values;
     const int end = node.first + node.columns;
     const auto take = [&](int position) {
       if (position < end || place_[position] == s) return;
@@ -162,7 +163,7 @@ class StructureBuilder {
       for_later(j, [&](int position, int k) {
         structure_.entry.push_back(
             {later_.entry[k],
-             static_cast<std::uint32_t>((j - node.first) * node.leading + place_[position])});
+             static_cast<std::uint32_t>(column_place(node.leading, j - node.first) + place_[position])});
       });
     for (const int c : children(s)) {
       const Supernode& child = structure_.supernode[c];
@@ -201,9 +202,9 @@ class StructureBuilder {
         const Supernode& child = structure_.supernode[structure_.child[static_cast<std::size_t>(k)]];
         node.subtree_flops += child.subtree_flops;
         node.stack = std::max(node.stack, held + child.stack);
-        held += padded(child.update_rows()) * child.update_rows();
+        held += trapezoid_values(child.update_rows(), child.update_rows());
       }
-      node.stack = std::max(node.stack, held + padded(node.update_rows()) * node.update_rows());
+      node.stack = std::max(node.stack, held + trapezoid_values(node.update_rows(), node.update_rows()));
     }
   }
 

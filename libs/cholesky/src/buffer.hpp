@@ -17,12 +17,10 @@ class Buffer {
   ~Buffer() { free(); }
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
-  Buffer(Buffer&& other) noexcept : data_(other.data_), alignment_(other.alignment_) {
-    other.data_ = nullptr;
-  }
 
-  // False where there is no memory.
-  bool allocate(std::int64_t values) {
+  // Keeps what is there where that is enough. False where there is no memory.
+  bool provide(std::int64_t values) {
+    if (values <= values_) return true;
     free();
     const std::size_t bytes = static_cast<std::size_t>(values) * sizeof(double);
     alignment_ = std::align_val_t(bytes < large ? cache_line : huge_page);
@@ -32,6 +30,7 @@ class Buffer {
     // the system has no large pages to give, nothing is lost.
     if (data_ != nullptr && bytes >= large) ::madvise(data_, bytes / huge_page * huge_page, MADV_HUGEPAGE);
 #endif
+    if (data_ != nullptr) values_ = values;
     return data_ != nullptr;
   }
 
@@ -43,11 +42,13 @@ class Buffer {
   void free() noexcept {
     ::operator delete(data_, alignment_);
     data_ = nullptr;
+    values_ = 0;
   }
 
   static constexpr std::size_t cache_line = 64, huge_page = std::size_t(1) << 21,
                                large = std::size_t(1) << 25;
   double* data_ = nullptr;
+  std::int64_t values_ = 0;
   std::align_val_t alignment_{cache_line};
 };
 

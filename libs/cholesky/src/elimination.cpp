@@ -1,6 +1,6 @@
 #include "elimination.hpp"
 
-#include "padding.hpp"
+#include "front.hpp"
 #include "threads.hpp"
 
 #include <isostretch/core/dispatch.hpp>
@@ -15,22 +15,18 @@ ISOSTRETCH_DISPATCH(FrontTable, table)
 
 namespace {
 
-// Columns of a front that are factorised before the rest is updated with them: what a thread reads of them
-// again and again stays in its cache.
-constexpr int block_columns = 192;
-
 // Vectors of kernels may go on so far beyond the last value.
 constexpr std::int64_t overhang = 16;
 
 // Operations from which a loop is worth sharing among threads.
 constexpr double worth_sharing = 2e5;
 
-// What is above subtrees of more than this share of the operations that one thread should do finds no other
-// subtree that keeps the other threads busy: all threads do it together.
-constexpr double is_alone_to = 1.1;
-
 std::size_t size(std::int64_t number) {
   return static_cast<std::size_t>(number);
+}
+
+int block_count(const Front& front) {
+  return (front.columns + block_columns - 1) / block_columns;
 }
 
 // A parallel region of one thread costs as much as a small front.
@@ -60,32 +56,28 @@ Factor::Elimination::Elimination(const Analysis& analysis)
     : analysis_(analysis), structure_(analysis.structure()), schedule_(structure_) {}
 
 std::int64_t Factor::Elimination::bytes(int threads) const {
-  const std::int64_t values = structure_.values + schedule_.pool + threads * schedule_.stack +
-                              (2 + threads) * overhang + static_cast<std::int64_t>(structure_.row.size());
+  const std::int64_t storage =
+      threads == storage_threads_ ? storage_.values : Storage(structure_, schedule_, threads).values;
+  const std::int64_t values = storage + overhang + static_cast<std::int64_t>(structure_.row.size());
   return values * static_cast<std::int64_t>(sizeof(double)) +
          static_cast<std::int64_t>(structure_.supernode.size() * sizeof(double*));
 }
 
 bool Factor::Elimination::take_memory(int threads) {
-  if (most_bytes > 0 && bytes(threads) > most_bytes) return false;
   try {
+    if (threads != storage_threads_) {
+      storage_threads_ = 0;
+      storage_ = Storage(structure_, schedule_, threads);
+      storage_threads_ = threads;
+    }
+    if (most_bytes > 0 && bytes(threads) > most_bytes) return false;
     update_of_.resize(structure_.supernode.size());
     carried_.resize(structure_.row.size());
     agenda_.reserve(schedule_.unit.size());
-    if (stack_.size() < size(threads)) {
-      const std::size_t had = stack_.size();
-      stack_.resize(size(threads));
-      for (std::size_t thread = had; thread < stack_.size(); ++thread)
-        if (!stack_[thread].allocate(schedule_.stack + overhang)) {
-          stack_.resize(thread);
-          return false;
-        }
-    }
   } catch (const std::bad_alloc&) {
     return false;
   }
-  return (factor_.data() != nullptr || factor_.allocate(structure_.values + overhang)) &&
-         (pool_.data() != nullptr || pool_.allocate(schedule_.pool + overhang));
+  return factor_.provide(storage_.values + overhang);
 }
 
 FactorizeResult Factor::Elimination::factorize(const double* values) {
@@ -95,13 +87,12 @@ FactorizeResult Factor::Elimination::factorize(const double* values) {
   if (!take_memory(threads)) return {FactorizeStatus::out_of_memory, -1};
   values_ = values;
   failed_ = analysis_.size();
-  const double alone = is_alone_to * schedule_.flops / threads;
-  agenda_.begin(schedule_, alone);
+  agenda_.begin(schedule_, storage_);
 #pragma omp parallel num_threads(threads) if (threads > 1 && schedule_.unit.size() > 1)
   for (int u; (u = agenda_.take()) >= 0; agenda_.finish(u))
-    run(schedule_.unit[size(u)], stack_[size(this_thread())].data(), false);
+    run(u, factor_.data() + storage_.stack[size(this_thread())], false);
   for (const int u : schedule_.top)
-    if (schedule_.unit[size(u)].flops > alone) run(schedule_.unit[size(u)], nullptr, threads > 1);
+    if (schedule_.unit[size(u)].flops > storage_.alone) run(u, nullptr, threads > 1);
   if (failed_ < analysis_.size())
     return {not_finite_ ? FactorizeStatus::not_finite : FactorizeStatus::not_positive_definite,
             structure_.order[size(failed_)]};
@@ -111,24 +102,26 @@ FactorizeResult Factor::Elimination::factorize(const double* values) {
 
 // A unit is left out only where a pivot before all of its own has failed: then the first that fails is found
 // whatever the threads do.
-void Factor::Elimination::run(const Unit& unit, double* stack, bool shared) {
+void Factor::Elimination::run(int u, double* stack, bool shared) {
+  const Unit& unit = schedule_.unit[size(u)];
+  double* update = factor_.data() + storage_.update[size(u)];
   if (failed_ < structure_.supernode[size(unit.begin)].first) return;
   if (unit.is_top)
-    eliminate(unit.root, pool_.data() + schedule_.update[size(unit.root)], shared);
+    eliminate(unit.root, update, shared);
   else
-    subtree(unit, stack);
+    subtree(unit, update, stack);
 }
 
 // Update matrices lie on the stack one after the other, those of the children of a supernode on top. Its own
 // is made above them and takes their place.
-void Factor::Elimination::subtree(const Unit& part, double* stack) {
+void Factor::Elimination::subtree(const Unit& part, double* update, double* stack) {
   double* top = stack;
   for (int s = part.begin; s <= part.root; ++s) {
     const Supernode& node = structure_.supernode[size(s)];
     double* bottom = top;
     if (structure_.supernode[size(s) + 1].child > node.child)
       bottom = update_of_[size(structure_.child[size(node.child)])];
-    double* made = s == part.root ? pool_.data() + schedule_.update[size(s)] : top;
+    double* made = s == part.root ? update : top;
     if (!eliminate(s, made, false)) return;
     if (s == part.root) return;
     if (made != bottom) std::memmove(bottom, made, size(update_values(node)) * sizeof(double));
@@ -137,20 +130,22 @@ void Factor::Elimination::subtree(const Unit& part, double* stack) {
   }
 }
 
-Factor::Elimination::Place Factor::Elimination::place_of(int s, double* update) const {
+Front Factor::Elimination::columns_of(int s) const {
   const Supernode& node = structure_.supernode[size(s)];
-  return {{factor_.data() + node.values, size(node.leading), node.rows, node.columns},
-          update,
-          size(update_leading(node)),
-          node.update_rows()};
+  return {factor_.data() + node.values, size(node.leading), node.rows, node.columns};
+}
+
+Front Factor::Elimination::update_of(int s, double* values) const {
+  const int rows = structure_.supernode[size(s)].update_rows();
+  return {values, size(padded(rows)), rows, rows};
 }
 
 bool Factor::Elimination::eliminate(int s, double* update, bool together) {
-  const Place place = place_of(s, update);
+  const Place place = {columns_of(s), update_of(s, update)};
   const bool shared = together && double(place.front.rows) * place.front.rows > worth_sharing / 8;
   assemble(s, place, shared);
   if (!factorize_columns(s, place, shared)) return false;
-  if (place.update_rows > 0) {
+  if (place.update.rows > 0) {
     make_update(place, shared);
     const Supernode& node = structure_.supernode[size(s)];
     for (std::int64_t k = node.child; k < structure_.supernode[size(s) + 1].child; ++k)
@@ -163,8 +158,9 @@ bool Factor::Elimination::eliminate(int s, double* update, bool together) {
 void Factor::Elimination::assemble(int s, const Place& place, bool shared) {
   const Supernode& node = structure_.supernode[size(s)];
   const Front& front = place.front;
-  for_each(0, front.columns, 64, shared, [&](int j) {
-    std::memset(front.values + size(j) * front.leading, 0, front.leading * sizeof(double));
+  for_each(0, block_count(front), 1, shared, [&](int i) {
+    const Front block = block_of(front, i * block_columns);
+    std::memset(block.values, 0, size(block.columns) * block.leading * sizeof(double));
   });
   for (std::int64_t k = node.entry; k < structure_.supernode[size(s) + 1].entry; ++k) {
     const EntryPlace& entry = structure_.entry[size(k)];
@@ -186,9 +182,8 @@ void Factor::Elimination::add_update_of(int c, const Place& place, bool to_updat
   const Run* run = structure_.run.data() + child.run;
   const int runs = static_cast<int>(structure_.supernode[size(c) + 1].run - child.run);
   const auto add = [&](int from, int to) {
-    kernels_->add(update_of_[size(c)], size(update_leading(child)), run, runs, from, to,
-                  to_update ? place.update : place.front.values,
-                  to_update ? place.update_leading : place.front.leading, to_update ? columns : 0);
+    kernels_->add(update_of(c, update_of_[size(c)]), run, runs, from, to,
+                  to_update ? place.update : place.front, to_update ? columns : 0);
   };
   if (!shared) return add(begin, end);
   for_each(0, (end - begin + grain - 1) / grain, 1, shared,
@@ -199,47 +194,56 @@ void Factor::Elimination::add_update_of(int c, const Place& place, bool to_updat
 bool Factor::Elimination::factorize_columns(int s, const Place& place, bool shared) {
   const Front& front = place.front;
   double inverse[block_columns];
-  for (int from = 0; from < front.columns; from += block_columns) {
-    const int end = std::min(front.columns, from + block_columns);
-    if (!factorize_triangle(s, front, from, end, inverse)) return false;
-    const double work = double(front.rows - end) * (end - from) * (end - from);
-    for_chunks(front.rows - end, shared && work > worth_sharing, [&](int begin, int last) {
-      for (int first = from; first < end; first += kernels_->panel)
-        kernels_->below(front, from, first, std::min(kernels_->panel, end - first), inverse + (first - from),
-                        end + begin, end + last);
+  for (int first = 0; first < front.columns; first += block_columns) {
+    const Front block = block_of(front, first);
+    if (!factorize_triangle(structure_.supernode[size(s)].first + first, block, inverse)) return false;
+    const int left = block.rows - block.columns;
+    const double work = double(left) * block.columns * block.columns;
+    for_chunks(left, shared && work > worth_sharing, [&](int begin, int end) {
+      for (int column = 0; column < block.columns; column += kernels_->panel)
+        kernels_->below(block, column, std::min(kernels_->panel, block.columns - column), inverse + column,
+                        block.columns + begin, block.columns + end);
     });
-    if (end == front.columns) break;
-    const double* a = front.values + size(from) * front.leading + size(end);
-    double* c = front.values + size(end) * front.leading + size(end);
-    for_chunks(front.rows - end, shared, [&](int begin, int last) {
-      kernels_->update(a, front.leading, end - from, c, front.leading, front.columns - end, begin, last,
-                       true);
+    if (first + block_columns >= front.columns) break;
+    for_chunks(left, shared, [&](int begin, int end) {
+      for (int next = first + block_columns; next < front.columns; next += block_columns)
+        subtract_product(block, next - first, block_of(front, next), begin - (next - first - block_columns),
+                         end - (next - first - block_columns), true);
     });
   }
   return true;
 }
 
-bool Factor::Elimination::factorize_triangle(int s, const Front& front, int from, int end, double* inverse) {
+bool Factor::Elimination::factorize_triangle(int position, const Front& block, double* inverse) {
   const int panel = kernels_->panel;
-  for (int first = from; first < end; first += panel, inverse += panel) {
-    const int count = std::min(panel, end - first);
-    const int done = kernels_->diagonal(front, from, first, count, inverse);
+  for (int first = 0; first < block.columns; first += panel, inverse += panel) {
+    const int count = std::min(panel, block.columns - first);
+    const int done = kernels_->diagonal(block, first, count, inverse);
     if (done < count) {
-      note_failure(structure_.supernode[size(s)].first + first + done, inverse[done]);
+      note_failure(position + first + done, inverse[done]);
       return false;
     }
-    if (first + count < end) kernels_->below(front, from, first, count, inverse, first + count, end);
+    if (first + count < block.columns)
+      kernels_->below(block, first, count, inverse, first + count, block.columns);
   }
   return true;
+}
+
+// Rows begin ... end - 1 of a block of columns, which are the rows of the front from `row` of `of` on.
+void Factor::Elimination::subtract_product(const Front& of, int row, const Front& from, int begin, int end,
+                                           bool add) {
+  if (end > 0)
+    kernels_->update(of.values + row, of.leading, of.columns, from.values, from.leading, from.columns,
+                     std::max(begin, 0), end, add);
 }
 
 void Factor::Elimination::make_update(const Place& place, bool shared) {
-  const Front& front = place.front;
-  for_chunks(place.update_rows, shared, [&](int begin, int end) {
-    for (int from = 0; from < front.columns; from += block_columns)
-      kernels_->update(front.values + size(from) * front.leading + size(front.columns), front.leading,
-                       std::min(block_columns, front.columns - from), place.update, place.update_leading,
-                       place.update_rows, begin, end, from > 0);
+  const Front &front = place.front, &update = place.update;
+  for_chunks(update.rows, shared, [&](int begin, int end) {
+    for (int first = 0; first < front.columns; first += block_columns)
+      for (int to = 0; to < update.columns; to += block_columns)
+        subtract_product(block_of(front, first), front.columns - first + to, block_of(update, to), begin - to,
+                         end - to, first > 0);
   });
 }
 
@@ -303,7 +307,9 @@ void Factor::Elimination::forward(int s, double* x, double* t) {
     const double* carried = carried_.data() + child.row;
     for (int i = 0; i < child.update_rows(); ++i) t[where[i]] += carried[i];
   }
-  kernels_->forward(place_of(s, nullptr).front, t);
+  const Front front = columns_of(s);
+  for (int i = 0; i < block_count(front); ++i)
+    kernels_->forward(block_of(front, i * block_columns), t + i * block_columns);
   std::copy_n(t, node.columns, x + node.first);
   std::copy_n(t + node.columns, node.update_rows(), carried_.data() + node.row);
 }
@@ -312,7 +318,9 @@ void Factor::Elimination::backward(int s, double* x, double* t) const {
   const Supernode& node = structure_.supernode[size(s)];
   std::copy_n(x + node.first, node.columns, t);
   for (int i = 0; i < node.update_rows(); ++i) t[node.columns + i] = x[structure_.row[size(node.row + i)]];
-  kernels_->backward(place_of(s, nullptr).front, t);
+  const Front front = columns_of(s);
+  for (int i = block_count(front) - 1; i >= 0; --i)
+    kernels_->backward(block_of(front, i * block_columns), t + i * block_columns);
   std::copy_n(t, node.columns, x + node.first);
 }
 
@@ -333,12 +341,16 @@ void Factor::Elimination::solve_wide(const double* b, double* x, int columns, do
   };
   for (int s = 0; s < structure_.count(); ++s) {
     move(structure_.supernode[size(s)], true, true);
-    kernels_->forward_wide(place_of(s, nullptr).front, t);
+    const Front front = columns_of(s);
+    for (int i = 0; i < block_count(front); ++i)
+      kernels_->forward_wide(block_of(front, i * block_columns), t + i * block_columns * wide);
     move(structure_.supernode[size(s)], false, true);
   }
   for (int s = structure_.count() - 1; s >= 0; --s) {
     move(structure_.supernode[size(s)], true, true);
-    kernels_->backward_wide(place_of(s, nullptr).front, t);
+    const Front front = columns_of(s);
+    for (int i = block_count(front) - 1; i >= 0; --i)
+      kernels_->backward_wide(block_of(front, i * block_columns), t + i * block_columns * wide);
     move(structure_.supernode[size(s)], false, false);
   }
   for (std::size_t p = 0; p < n; ++p)

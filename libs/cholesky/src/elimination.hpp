@@ -4,6 +4,7 @@
 #include "buffer.hpp"
 #include "front_table.hpp"
 #include "schedule.hpp"
+#include "storage.hpp"
 
 #include <isostretch/cholesky/factor.hpp>
 
@@ -26,22 +27,21 @@ class Factor::Elimination {
   bool ready = false;
 
  private:
-  // Of one supernode: its own columns and its update matrix, where that is made.
+  // Of one supernode: its own columns and its update matrix.
   struct Place {
-    Front front;
-    double* update = nullptr;
-    std::size_t update_leading = 0;
-    int update_rows = 0;
+    Front front, update;
   };
-  Place place_of(int s, double* update) const;
+  Front columns_of(int s) const;
+  Front update_of(int s, double* values) const;
 
   bool take_memory(int threads);
-  void run(const Unit& unit, double* stack, bool shared);
-  void subtree(const Unit& part, double* stack);
+  void run(int unit, double* stack, bool shared);
+  void subtree(const Unit& part, double* update, double* stack);
   bool eliminate(int s, double* update, bool together);
   void assemble(int s, const Place& place, bool together);
   bool factorize_columns(int s, const Place& place, bool together);
-  bool factorize_triangle(int s, const Front& front, int from, int end, double* inverse);
+  bool factorize_triangle(int position, const Front& block, double* inverse);
+  void subtract_product(const Front& of, int row, const Front& from, int begin, int end, bool add);
   void make_update(const Place& place, bool together);
   void add_update_of(int child, const Place& place, bool to_update, bool together);
   void note_failure(int position, double pivot);
@@ -54,11 +54,12 @@ class Factor::Elimination {
   const Analysis& analysis_;
   const Structure& structure_;
   Schedule schedule_;
+  Storage storage_;  // for so many threads
+  int storage_threads_ = 0;
   Agenda agenda_;
   const FrontTable* kernels_ = nullptr;
   const double* values_ = nullptr;  // of A, while it is factorised
-  Buffer factor_, pool_;
-  std::vector<Buffer> stack_;       // of every thread
+  Buffer factor_;                   // and update matrices
   std::vector<double*> update_of_;  // of every supernode, while its parent has not taken it
   std::vector<double> carried_;     // of every row below a diagonal block: what the forward solve hands on
   std::atomic<int> failed_{0};      // position of the first pivot that fails; beyond the last: none

@@ -7,21 +7,22 @@
 
 namespace isostretch::cholesky {
 
-// The lower trapezoid of a dense matrix: the columns of a supernode, or an update matrix. It is kept in blocks of columns
-// that begin at the diagonal, so that little more than the trapezoid is stored. `leading` values are from one column of the
-// first block to the next, and fewer by block_columns with every later block.
+// The lower trapezoid of a dense matrix: the columns of a supernode, or an update matrix. It is kept in
+// blocks of columns that begin at the diagonal, so that little more than the trapezoid is stored. `leading`
+// values are from one column of the first block to the next, and fewer by block_columns with every later
+// block.
 struct Front {
   double* values = nullptr;
   std::size_t leading = 0;
   int rows = 0, columns = 0;
 };
 
-// Columns of a block, which are factorised together before the rest is updated with them: what a thread reads of them again
-// and again stays in its cache.
+// Columns of a block, which are factorised together before the rest is updated with them: what a thread reads
+// of them again and again stays in its cache.
 constexpr int block_columns = 192;
 
-// The distance of columns of so many rows. Vectors of kernels, of 8 numbers at most, may begin at any row and go on beyond
-// the last.
+// The distance of columns of so many rows. Vectors of kernels, of 8 numbers at most, may begin at any row and
+// go on beyond the last.
 ISOSTRETCH_INLINE constexpr std::int64_t padded(std::int64_t rows) {
   constexpr std::int64_t widest = 8;
   return (rows + 2 * widest - 2) / widest * widest;

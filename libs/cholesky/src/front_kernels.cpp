@@ -103,26 +103,26 @@ ISOSTRETCH_INLINE std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-int diagonal(const Front& front, int from, int first, int count, double* inverse) {
+int diagonal(const Front& block, int first, int count, double* inverse) {
   constexpr int most = 8;
-  const std::size_t leading = front.leading;
-  const double* row = front.values + at(from) * leading + at(first);
-  double* c = front.values + at(first) * leading + at(first);
-  double block[most * (most + lanes)];
+  const std::size_t leading = block.leading;
+  const double* row = block.values + at(first);
+  double* c = block.values + at(first) * leading + at(first);
+  double triangle[most * (most + lanes)];
   constexpr std::size_t width = most + lanes;
   with_columns<tile_columns>(count, [&]<int Columns>() {
     for_tiles(0, count, [&]<int Packs>(int i) {
       Tile<Packs, Columns> tile;
-      tile.multiply(first - from, row + i, row, leading);
+      tile.multiply(first, row + i, row, leading);
       tile.subtract_from(c + i, leading);
-      tile.write(block + i, width);
+      tile.write(triangle + i, width);
     });
   });
   for (int j = 0; j < count; ++j) {
-    double* column = block + at(j) * width;
+    double* column = triangle + at(j) * width;
     for (int i = 0; i < j; ++i) {
-      const double factor = block[at(i) * width + at(j)];
-      for (int r = j; r < count; ++r) column[r] -= block[at(i) * width + at(r)] * factor;
+      const double factor = triangle[at(i) * width + at(j)];
+      for (int r = j; r < count; ++r) column[r] -= triangle[at(i) * width + at(r)] * factor;
     }
     if (!(column[j] > 0 && column[j] < __builtin_inf())) {
       inverse[j] = column[j];
@@ -137,14 +137,14 @@ int diagonal(const Front& front, int from, int first, int count, double* inverse
   return count;
 }
 
-void below(const Front& front, int from, int first, int count, const double* inverse, int begin, int end) {
-  const std::size_t leading = front.leading;
-  const double* a = front.values + at(from) * leading;
-  double* c = front.values + at(first) * leading;
+void below(const Front& block, int first, int count, const double* inverse, int begin, int end) {
+  const std::size_t leading = block.leading;
+  const double* a = block.values;
+  double* c = block.values + at(first) * leading;
   with_columns<tile_columns>(count, [&]<int Columns>() {
     for_tiles(begin, end, [&]<int Packs>(int row) {
       Tile<Packs, Columns> tile;
-      tile.multiply(first - from, a + row, a + first, leading);
+      tile.multiply(first, a + row, a + first, leading);
       tile.subtract_from(c + row, leading);
       tile.divide(c + first, leading, inverse);
       if (row + Packs * lanes <= end)
@@ -176,9 +176,12 @@ void update(const double* a, std::size_t leading, int k, double* c, std::size_t 
   }
 }
 
+ISOSTRETCH_INLINE double* column_of(const Front& front, int column) {
+  return front.values + column_place(static_cast<std::int64_t>(front.leading), column);
+}
+
 // What a vector covers beyond a run is written as it was: there is padding below every column.
-void add(const double* from, std::size_t from_leading, const Run* run, int runs, int begin, int end,
-         double* to, std::size_t leading, int first) {
+void add(const Front& from, const Run* run, int runs, int begin, int end, const Front& to, int first) {
   const Pack number = numbers();
   const auto add_rows = [&](const double* source, double* target, int count) {
     int i = 0;
@@ -191,12 +194,12 @@ void add(const double* from, std::size_t from_leading, const Run* run, int runs,
   int own = 0;  // run of column j
   for (int j = begin; j < end; ++j) {
     while (run[own].row + run[own].length <= j) ++own;
-    const double* column = from + at(j) * from_leading;
+    const double* source = column_of(from, j);
     const int beyond = j - run[own].row, place = run[own].place + beyond - first;
-    double* target = to + at(place) * leading;
-    add_rows(column + j, target + place, run[own].length - beyond);
+    double* target = column_of(to, place);
+    add_rows(source + j, target + place, run[own].length - beyond);
     for (int r = own + 1; r < runs; ++r)
-      add_rows(column + run[r].row, target + (run[r].place - first), run[r].length);
+      add_rows(source + run[r].row, target + (run[r].place - first), run[r].length);
   }
 }
 
@@ -213,17 +216,17 @@ ISOSTRETCH_INLINE void subtract_columns(const double* l, std::size_t leading, co
   }
 }
 
-void forward(const Front& front, double* t) {
-  for (int first = 0; first < front.columns; first += together) {
-    const int count = front.columns - first < together ? front.columns - first : together;
-    const double* l = front.values + at(first) * front.leading;
+void forward(const Front& block, double* t) {
+  for (int first = 0; first < block.columns; first += together) {
+    const int count = block.columns - first < together ? block.columns - first : together;
+    const double* l = block.values + at(first) * block.leading;
     for (int j = 0; j < count; ++j) {
       double value = t[first + j];
-      for (int i = 0; i < j; ++i) value -= l[at(i) * front.leading + at(first + j)] * t[first + i];
-      t[first + j] = value / l[at(j) * front.leading + at(first + j)];
+      for (int i = 0; i < j; ++i) value -= l[at(i) * block.leading + at(first + j)] * t[first + i];
+      t[first + j] = value / l[at(j) * block.leading + at(first + j)];
     }
     with_columns<together>(count, [&]<int Columns>() {
-      subtract_columns<Columns>(l, front.leading, t + first, t, first + count, front.rows);
+      subtract_columns<Columns>(l, block.leading, t + first, t, first + count, block.rows);
     });
   }
 }
@@ -248,18 +251,18 @@ ISOSTRETCH_INLINE void add_products(const double* l, std::size_t leading, const 
   }
 }
 
-void backward(const Front& front, double* t) {
-  for (int first = (front.columns - 1) / together * together; first >= 0; first -= together) {
-    const int count = front.columns - first < together ? front.columns - first : together;
-    const double* l = front.values + at(first) * front.leading;
+void backward(const Front& block, double* t) {
+  for (int first = (block.columns - 1) / together * together; first >= 0; first -= together) {
+    const int count = block.columns - first < together ? block.columns - first : together;
+    const double* l = block.values + at(first) * block.leading;
     double sum[together];
     with_columns<together>(count, [&]<int Columns>() {
-      add_products<Columns>(l, front.leading, t, first + count, front.rows, sum);
+      add_products<Columns>(l, block.leading, t, first + count, block.rows, sum);
     });
     for (int j = count - 1; j >= 0; --j) {
       double value = t[first + j] - sum[j];
-      for (int i = j + 1; i < count; ++i) value -= l[at(j) * front.leading + at(first + i)] * t[first + i];
-      t[first + j] = value / l[at(j) * front.leading + at(first + j)];
+      for (int i = j + 1; i < count; ++i) value -= l[at(j) * block.leading + at(first + i)] * t[first + i];
+      t[first + j] = value / l[at(j) * block.leading + at(first + j)];
     }
   }
 }
@@ -284,25 +287,25 @@ struct WideRow {
   }
 };
 
-void forward_wide(const Front& front, double* t) {
-  for (int first = 0; first < front.columns; first += together) {
-    const int count = front.columns - first < together ? front.columns - first : together;
-    const double* l = front.values + at(first) * front.leading;
-    for (int j = first; j < front.rows; ++j) {
+void forward_wide(const Front& block, double* t) {
+  for (int first = 0; first < block.columns; first += together) {
+    const int count = block.columns - first < together ? block.columns - first : together;
+    const double* l = block.values + at(first) * block.leading;
+    for (int j = first; j < block.rows; ++j) {
       WideRow row(t + at(j) * wide);
       for (int i = 0; i < count && first + i < j; ++i)
-        row.subtract(l[at(i) * front.leading + at(j)], t + at(first + i) * wide);
-      if (j < first + count) row.divide(l[at(j - first) * front.leading + at(j)]);
+        row.subtract(l[at(i) * block.leading + at(j)], t + at(first + i) * wide);
+      if (j < first + count) row.divide(l[at(j - first) * block.leading + at(j)]);
       row.write(t + at(j) * wide);
     }
   }
 }
 
-void backward_wide(const Front& front, double* t) {
-  for (int j = front.columns - 1; j >= 0; --j) {
-    const double* l = front.values + at(j) * front.leading;
+void backward_wide(const Front& block, double* t) {
+  for (int j = block.columns - 1; j >= 0; --j) {
+    const double* l = block.values + at(j) * block.leading;
     WideRow row(t + at(j) * wide);
-    for (int i = j + 1; i < front.rows; ++i) row.subtract(l[i], t + at(i) * wide);
+    for (int i = j + 1; i < block.rows; ++i) row.subtract(l[i], t + at(i) * wide);
     row.divide(l[j]);
     row.write(t + at(j) * wide);
   }

@@ -1,54 +1,11 @@
 #include "schedule.hpp"
 
-#include "padding.hpp"
+#include "front.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <map>
-#include <utility>
 
 namespace isostretch::cholesky {
 namespace {
-
-// Pieces of the pool that nobody needs any more.
-class FreeSpace {
- public:
-  // The first piece that is large enough; -1: none is.
-  std::int64_t take(std::int64_t values) {
-    for (const auto& [place, size] : pieces_) {
-      if (size < values) continue;
-      const std::int64_t taken = place, left = size - values;
-      pieces_.erase(taken);
-      if (left > 0) pieces_[taken + values] = left;
-      return taken;
-    }
-    return -1;
-  }
-
-  void give_back(std::int64_t place, std::int64_t values) {
-    if (values == 0) return;
-    auto next = pieces_.lower_bound(place);
-    if (next != pieces_.end() && place + values == next->first) {
-      values += next->second;
-      next = pieces_.erase(next);
-    }
-    if (next != pieces_.begin()) {
-      const auto before = std::prev(next);
-      if (before->first + before->second == place) {
-        before->second += values;
-        return;
-      }
-    }
-    pieces_[place] = values;
-  }
-
-  void absorb(const FreeSpace& other) {
-    for (const auto& [place, size] : other.pieces_) give_back(place, size);
-  }
-
- private:
-  std::map<std::int64_t, std::int64_t> pieces_;  // place and size
-};
 
 class ScheduleBuilder {
  public:
@@ -58,7 +15,6 @@ class ScheduleBuilder {
         unit_of_(static_cast<std::size_t>(structure.count()), -1) {
     make_units();
     link();
-    place_update_matrices();
   }
 
  private:
@@ -101,24 +57,6 @@ class ScheduleBuilder {
     }
   }
 
-  void place_update_matrices() {
-    schedule_.update.assign(unit_of_.size(), -1);
-    std::vector<FreeSpace> free(schedule_.unit.size());
-    for (std::size_t u = 0; u < schedule_.unit.size(); ++u) {
-      const Unit& unit = schedule_.unit[u];
-      const std::int64_t values = update_values(node(unit.root));
-      std::int64_t& place = schedule_.update[unit.root];
-      place = free[u].take(values);
-      if (place < 0) place = std::exchange(schedule_.pool, schedule_.pool + values);
-      if (unit.is_top)
-        for (std::int64_t k = node(unit.root).child; k < node(unit.root + 1).child; ++k) {
-          const int c = structure_.child[static_cast<std::size_t>(k)];
-          free[u].give_back(schedule_.update[c], update_values(node(c)));
-        }
-      if (unit.parent >= 0) free[unit.parent].absorb(std::exchange(free[u], {}));
-    }
-  }
-
   const Structure& structure_;
   Schedule& schedule_;
   std::vector<int> unit_of_;  // of every supernode that is the root of one
@@ -130,12 +68,8 @@ Schedule::Schedule(const Structure& structure) {
   ScheduleBuilder(structure, *this);
 }
 
-std::int64_t update_leading(const Supernode& supernode) {
-  return padded(supernode.update_rows());
-}
-
 std::int64_t update_values(const Supernode& supernode) {
-  return update_leading(supernode) * supernode.update_rows();
+  return trapezoid_values(supernode.update_rows(), supernode.update_rows());
 }
 
 }  // namespace isostretch::cholesky

@@ -17,24 +17,19 @@ struct Unit {
   double path = 0;   // operations of the unit and those above it up to the root
 };
 
-// The units and where update matrices lie that are handed from one to another. It does not depend on the
-// number of threads, nor does the space: an update matrix only takes the place of those that were needed
-// below it, and so units are done in any order that has children before their parents.
+// The units. They do not depend on the number of threads.
 struct Schedule {
-  std::vector<Unit> unit;            // ascending
-  std::vector<int> subtree, top;     // numbers of units: the largest subtrees first, the top ascending
-  std::vector<std::int64_t> update;  // of every root of a unit: place of its update matrix in the pool
-  double flops = 0;                  // of all
-  std::int64_t stack = 0;            // values of the largest stack of a subtree
-  std::int64_t pool = 0;             // values of the pool
-  int most_rows = 0;                 // of a front
+  std::vector<Unit> unit;         // ascending
+  std::vector<int> subtree, top;  // numbers of units: the largest subtrees first, the top ascending
+  double flops = 0;               // of all
+  std::int64_t stack = 0;         // values of the largest stack of a subtree
+  int most_rows = 0;              // of a front
 
   Schedule() = default;
   explicit Schedule(const Structure& structure);
 };
 
-// The distance of the columns of an update matrix, and all its values.
-std::int64_t update_leading(const Supernode& supernode);
+// Values of the update matrix.
 std::int64_t update_values(const Supernode& supernode);
 
 }  // namespace isostretch::cholesky

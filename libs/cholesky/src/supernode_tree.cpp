@@ -1,5 +1,7 @@
 #include "supernode_tree.hpp"
 
+#include "front.hpp"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -106,8 +108,8 @@ std::vector<int> order_of_small_stack(const SupernodeTree& tree) {
       peak[s] = std::max(peak[s], held + peak[c]);
       held += left[c];
     }
-    const double rows = node.rows - node.columns;
-    left[s] = rows * rows;
+    const int rows = node.rows - node.columns;
+    left[s] = static_cast<double>(trapezoid_values(rows, rows));
     peak[s] = std::max(peak[s], held + left[s]);
   }
   std::vector<int> order, stack;

@@ -24,9 +24,10 @@ struct Amalgamation {
   double zeros[4] = {0.8, 0.3, 0.15, 0.05};  ///< Largest shares of zeros.
 };
 
-/// A supernode: columns of L of one structure, kept as a dense matrix of `rows` x `columns`, the diagonal
-/// block on top. It is the front of the multifrontal method, whose last rows - columns rows and columns are
-/// the update matrix that its parent takes.
+/// A supernode: columns of L of one structure, kept as the lower trapezoid of a dense matrix of `rows` x
+/// `columns`, the diagonal block on top, in blocks of 192 columns that begin at the diagonal. It is the front
+/// of the multifrontal method, whose last rows - columns rows and columns are the update matrix that its
+/// parent takes.
 struct Supernode {
   int first = 0;             ///< Position of its first column.
   int columns = 0;           ///< Number of its columns.
@@ -34,7 +35,7 @@ struct Supernode {
   int parent = -1;           ///< Its parent; -1 for a root.
   std::int64_t row = 0;      ///< Where its rows begin in Structure::row, past those of its own columns.
   std::int64_t values = 0;   ///< Where its columns begin among the values of L.
-  std::int64_t leading = 0;  ///< Distance of two columns, in values.
+  std::int64_t leading = 0;  ///< Distance of two columns of the first block, in values.
   std::int64_t entry = 0;    ///< Where its entries of A begin in Structure::entry.
   std::int64_t child = 0;    ///< Where its children begin in Structure::child.
   std::int64_t run = 0;      ///< Where the runs of its update matrix begin in Structure::run.
