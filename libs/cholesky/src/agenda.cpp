@@ -19,18 +19,27 @@ void Agenda::reserve(std::size_t units) {
   waiting_.reserve(units);
 }
 
-void Agenda::begin(const Schedule& schedule, const Storage& storage) {
+void Agenda::begin(const Schedule& schedule, const Storage& storage, bool again) {
   schedule_ = &schedule;
   storage_ = &storage;
+  again_ = again;
   ready_.clear();
-  waiting_.clear();
+  waiting_.assign(schedule.unit.size(), 1);
   open_ = 0;
-  for (const Unit& unit : schedule.unit) {
-    waiting_.push_back(unit.children + 1);
-    if (unit.flops <= storage.alone) ++open_;
+  const int count = static_cast<int>(schedule.unit.size());
+  for (int u = 0; u < count; ++u) {
+    if (!is_due(u)) continue;
+    if (schedule.unit[u].flops <= storage.alone) ++open_;
+    if (const int parent = schedule.unit[u].parent; parent >= 0) ++waiting_[parent];
   }
-  for (const auto& wait : storage.waits) ++waiting_[wait.second];
-  for (std::size_t u = 0; u < schedule.unit.size(); ++u) release(static_cast<int>(u));
+  for (const auto& [done, unit] : storage.waits)
+    if (is_due(done)) ++waiting_[unit];
+  for (int u = 0; u < count; ++u)
+    if (is_due(u)) release(u);
+}
+
+bool Agenda::is_due(int unit) const {
+  return !again_ || schedule_->unit[unit].changes;
 }
 
 // Threads have little to wait for: what keeps one busy is over in a moment.
@@ -53,7 +62,7 @@ void Agenda::finish(int unit) {
   const auto& waits = storage_->waits;
   for (auto wait = std::lower_bound(waits.begin(), waits.end(), std::pair(unit, 0));
        wait != waits.end() && wait->first == unit; ++wait)
-    release(wait->second);
+    if (is_due(wait->second)) release(wait->second);
 }
 
 // One of those that the unit waits for is done.

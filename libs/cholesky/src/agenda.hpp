@@ -15,13 +15,14 @@ class Agenda {
  public:
   void reserve(std::size_t units);
 
-  // All units that are the work of single threads.
-  void begin(const Schedule& schedule, const Storage& storage);
+  // All units that are the work of single threads; `again`: only those that change.
+  void begin(const Schedule& schedule, const Storage& storage, bool again);
   // Number of a unit whose children are done, as soon as there is one; -1: there is none left to wait for.
   int take();
   void finish(int unit);
 
  private:
+  bool is_due(int unit) const;
   void release(int unit);
 
   const Schedule* schedule_ = nullptr;
@@ -30,6 +31,7 @@ class Agenda {
   std::vector<int> ready_;    // heap
   std::vector<int> waiting_;  // of every unit: those that it waits for and are not done
   int open_ = 0;              // units that nobody has taken
+  bool again_ = false;
 };
 
 }  // namespace isostretch::cholesky

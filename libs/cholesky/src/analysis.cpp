@@ -95,6 +95,7 @@ class StructureBuilder {
       supernode.columns = node.columns;
       supernode.rows = node.rows;
       supernode.parent = node.parent < 0 ? -1 : number_of[node.parent];
+      supernode.is_last = node.is_last;
       for (int j = node.first; j != -1; j = tree.next[j]) old_.push_back(post[j]);
     }
     structure_.supernode.back().first = static_cast<int>(old_.size());
@@ -221,13 +222,17 @@ Analysis::Analysis() {
   structure_.supernode.resize(1);
 }
 
-Analysis::Analysis(const Pattern& pattern, std::span<const int> order, const Amalgamation& merge) {
+Analysis::Analysis(const Pattern& pattern, std::span<const int> order, const Amalgamation& merge, int last) {
   require_valid(pattern, order);
+  if (last < 0 || last > pattern.size)
+    throw Error(ErrorKind::misuse, "cholesky: " + std::to_string(last) + " unknowns cannot be the last of " +
+                                       std::to_string(pattern.size));
   std::vector<int> column_order(order.begin(), order.end());
   if (order.empty()) {
     column_order.resize(static_cast<std::size_t>(pattern.size));
     std::iota(column_order.begin(), column_order.end(), 0);
   }
+  last_.assign(column_order.end() - last, column_order.end());
   const LaterNeighbours later = later_neighbours(pattern, inverse(column_order));
   std::vector<int> parent = elimination_tree(later);
   const std::vector<int> post = postorder(parent);
@@ -237,7 +242,9 @@ Analysis::Analysis(const Pattern& pattern, std::span<const int> order, const Ama
     factor_nonzeros_ += entries;
     factor_flops_ += double(entries) * entries;
   }
-  SupernodeTree tree = fundamental_supernodes(parent, count);
+  std::vector<bool> is_last(post.size());
+  for (std::size_t p = 0; p < post.size(); ++p) is_last[p] = post[p] >= pattern.size - last;
+  SupernodeTree tree = fundamental_supernodes(parent, count, is_last);
   merge_supernodes(tree, merge);
   StructureBuilder builder(tree, order_of_small_stack(tree), later, post);
   builder.name_unknowns(column_order);

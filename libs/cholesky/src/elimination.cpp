@@ -15,15 +15,8 @@ ISOSTRETCH_DISPATCH(FrontTable, table)
 
 namespace {
 
-// Vectors of kernels may go on so far beyond the last value.
-constexpr std::int64_t overhang = 16;
-
 // Operations from which a loop is worth sharing among threads.
 constexpr double worth_sharing = 2e5;
-
-std::size_t size(std::int64_t number) {
-  return static_cast<std::size_t>(number);
-}
 
 int block_count(const Front& front) {
   return (front.columns + block_columns - 1) / block_columns;
@@ -81,23 +74,38 @@ bool Factor::Elimination::take_memory(int threads) {
 }
 
 FactorizeResult Factor::Elimination::factorize(const double* values) {
-  ready = false;
+  ready = complete_ = false;
   kernels_ = &active_table();
-  const int threads = most_threads();
-  if (!take_memory(threads)) return {FactorizeStatus::out_of_memory, -1};
+  if (!take_memory(most_threads())) return {FactorizeStatus::out_of_memory, -1};
   values_ = values;
+  const FactorizeResult result = eliminate_units(false);
+  ready = complete_ = result.status == FactorizeStatus::ok;
+  return result;
+}
+
+FactorizeResult Factor::Elimination::refactorize(const double* values) {
+  if (!complete_) return factorize(values);
+  values_ = values;
+  const FactorizeResult result = eliminate_units(true);
+  ready = result.status == FactorizeStatus::ok;
+  return result;
+}
+
+// Memory is laid out for the threads that there were when it was taken.
+FactorizeResult Factor::Elimination::eliminate_units(bool again) {
   failed_ = analysis_.size();
-  agenda_.begin(schedule_, storage_);
-#pragma omp parallel num_threads(threads) if (threads > 1 && schedule_.unit.size() > 1)
+  agenda_.begin(schedule_, storage_, again);
+  const bool parallel = storage_threads_ > 1;
+#pragma omp parallel num_threads(storage_threads_) if (parallel && schedule_.unit.size() > 1)
   for (int u; (u = agenda_.take()) >= 0; agenda_.finish(u))
     run(u, factor_.data() + storage_.stack[size(this_thread())], false);
-  for (const int u : schedule_.top)
-    if (schedule_.unit[size(u)].flops > storage_.alone) run(u, nullptr, threads > 1);
-  if (failed_ < analysis_.size())
-    return {not_finite_ ? FactorizeStatus::not_finite : FactorizeStatus::not_positive_definite,
-            structure_.order[size(failed_)]};
-  ready = true;
-  return {};
+  for (const int u : schedule_.top) {
+    const Unit& unit = schedule_.unit[size(u)];
+    if (unit.flops > storage_.alone && (unit.changes || !again)) run(u, nullptr, parallel);
+  }
+  if (failed_ == analysis_.size()) return {};
+  return {not_finite_ ? FactorizeStatus::not_finite : FactorizeStatus::not_positive_definite,
+          structure_.order[size(failed_)]};
 }
 
 // A unit is left out only where a pivot before all of its own has failed: then the first that fails is found
@@ -231,7 +239,7 @@ bool Factor::Elimination::factorize_triangle(int position, const Front& block, d
 
 // Rows begin ... end - 1 of a block of columns, which are the rows of the front from `row` of `of` on.
 void Factor::Elimination::subtract_product(const Front& of, int row, const Front& from, int begin, int end,
-                                           bool add) {
+                                           bool add) const {
   if (end > 0)
     kernels_->update(of.values + row, of.leading, of.columns, from.values, from.leading, from.columns,
                      std::max(begin, 0), end, add);

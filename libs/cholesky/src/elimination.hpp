@@ -14,6 +14,10 @@
 
 namespace isostretch::cholesky {
 
+inline std::size_t size(std::int64_t number) {
+  return static_cast<std::size_t>(number);
+}
+
 // The factor and what making it takes.
 class Factor::Elimination {
  public:
@@ -21,6 +25,8 @@ class Factor::Elimination {
 
   std::int64_t bytes(int threads) const;
   FactorizeResult factorize(const double* values);
+  FactorizeResult refactorize(const double* values);
+  void schur_complement(double* values) const;
   void solve(const double* b, double* x, int columns);
 
   std::int64_t most_bytes = 0;
@@ -35,13 +41,14 @@ class Factor::Elimination {
   Front update_of(int s, double* values) const;
 
   bool take_memory(int threads);
+  FactorizeResult eliminate_units(bool again);
   void run(int unit, double* stack, bool shared);
   void subtree(const Unit& part, double* update, double* stack);
   bool eliminate(int s, double* update, bool together);
   void assemble(int s, const Place& place, bool together);
   bool factorize_columns(int s, const Place& place, bool together);
   bool factorize_triangle(int position, const Front& block, double* inverse);
-  void subtract_product(const Front& of, int row, const Front& from, int begin, int end, bool add);
+  void subtract_product(const Front& of, int row, const Front& from, int begin, int end, bool add) const;
   void make_update(const Place& place, bool together);
   void add_update_of(int child, const Place& place, bool to_update, bool together);
   void note_failure(int position, double pivot);
@@ -59,6 +66,7 @@ class Factor::Elimination {
   Agenda agenda_;
   const FrontTable* kernels_ = nullptr;
   const double* values_ = nullptr;  // of A, while it is factorised
+  bool complete_ = false;           // what a refactorization does not do again is there
   Buffer factor_;                   // and update matrices
   std::vector<double*> update_of_;  // of every supernode, while its parent has not taken it
   std::vector<double> carried_;     // of every row below a diagonal block: what the forward solve hands on

@@ -20,6 +20,10 @@ FactorizeResult Factor::factorize(const double* values) {
   return elimination_->factorize(values);
 }
 
+FactorizeResult Factor::refactorize(const double* values) {
+  return elimination_->refactorize(values);
+}
+
 bool Factor::is_ready() const {
   return elimination_->ready;
 }
@@ -27,6 +31,11 @@ bool Factor::is_ready() const {
 void Factor::solve(const double* b, double* x, int columns) {
   if (!is_ready()) throw Error(ErrorKind::misuse, "cholesky: solve() without a factor");
   if (columns > 0) elimination_->solve(b, x, columns);
+}
+
+void Factor::schur_complement(double* values) const {
+  if (!is_ready()) throw Error(ErrorKind::misuse, "cholesky: schur_complement() without a factor");
+  elimination_->schur_complement(values);
 }
 
 }  // namespace isostretch::cholesky

@@ -21,6 +21,9 @@ struct Front {
 // of them again and again stays in its cache.
 constexpr int block_columns = 192;
 
+// Vectors of kernels may go on so far beyond the last value.
+constexpr std::int64_t overhang = 16;
+
 // The distance of columns of so many rows. Vectors of kernels, of 8 numbers at most, may begin at any row and
 // go on beyond the last.
 ISOSTRETCH_INLINE constexpr std::int64_t padded(std::int64_t rows) {

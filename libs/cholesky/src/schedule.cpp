@@ -35,7 +35,9 @@ class ScheduleBuilder {
       const int number = static_cast<int>(schedule_.unit.size());
       unit_of_[s] = number;
       (is_top(s) ? schedule_.top : schedule_.subtree).push_back(number);
-      schedule_.unit.push_back({is_top(s) ? s : first[s], s, is_top(s), -1, 0, node(s).subtree_flops, 0});
+      schedule_.unit.push_back(
+          {is_top(s) ? s : first[s], s, is_top(s), -1, 0, node(s).subtree_flops, 0, false});
+      for (int k = schedule_.unit.back().begin; k <= s; ++k) schedule_.unit.back().changes |= node(k).is_last;
       if (!is_top(s)) schedule_.stack = std::max(schedule_.stack, node(s).stack);
     }
     std::stable_sort(schedule_.subtree.begin(), schedule_.subtree.end(),

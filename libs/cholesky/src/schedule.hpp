@@ -11,10 +11,11 @@ namespace isostretch::cholesky {
 struct Unit {
   int begin = 0, root = 0;  // supernodes begin ... root; one of the top is both
   bool is_top = false;
-  int parent = -1;   // number of the unit that waits for this one; -1: none
-  int children = 0;  // units that it waits for
-  double flops = 0;  // of the subtree below, itself included
-  double path = 0;   // operations of the unit and those above it up to the root
+  int parent = -1;       // number of the unit that waits for this one; -1: none
+  int children = 0;      // units that it waits for
+  double flops = 0;      // of the subtree below, itself included
+  double path = 0;       // operations of the unit and those above it up to the root
+  bool changes = false;  // has supernodes that are eliminated last: what a refactorization does again
 };
 
 // The units. They do not depend on the number of threads.

@@ -82,9 +82,13 @@ class Simulation {
 struct Lease {
   std::int64_t place = 0, values = 0;
   double begin = 0, end = 0;
-  int unit = -1;  // whose columns or update matrix it is; -1: the stack of a thread
+  int unit = -1;       // whose columns or update matrix it is; -1: the stack of a thread
+  bool again = false;  // needed in a refactorization
+  bool kept = false;   // and what a refactorization must not touch
 
-  bool is_beside(const Lease& other) const { return begin < other.end && other.begin < end; }
+  bool is_beside(const Lease& other) const {
+    return (begin < other.end && other.begin < end) || (kept && other.again) || (again && other.kept);
+  }
   bool shares(const Lease& other) const {
     return place < other.place + other.values && other.place < place + values;
   }
@@ -94,18 +98,24 @@ class Planner {
  public:
   Planner(const Structure& structure, const Schedule& schedule, const std::vector<Times>& times, int threads)
       : schedule_(schedule), units_(static_cast<int>(times.size())) {
+    constexpr double for_ever = std::numeric_limits<double>::infinity();
     double subtrees_end = 0;
+    bool subtrees_change = false;
     for (int u = 0; u < units_; ++u) {
       const Unit& unit = schedule.unit[u];
       const std::int64_t begin = structure.supernode[unit.begin].values;
-      fixed_.push_back({begin, structure.supernode[unit.root + 1].values - begin, times[u].begin,
-                        std::numeric_limits<double>::infinity(), u});
-      if (unit.parent >= 0)
+      fixed_.push_back({begin, structure.supernode[unit.root + 1].values - begin, times[u].begin, for_ever, u,
+                        false, !unit.changes});
+      if (unit.parent >= 0) {
+        const bool kept = !unit.changes && schedule.unit[unit.parent].changes;
         moving_.push_back({0, update_values(structure.supernode[unit.root]), times[u].begin,
-                           times[unit.parent].end, u});
-      if (!unit.is_top) subtrees_end = std::max(subtrees_end, times[u].end);
+                           kept ? for_ever : times[unit.parent].end, u, unit.changes, kept});
+      }
+      if (unit.is_top) continue;
+      subtrees_end = std::max(subtrees_end, times[u].end);
+      subtrees_change |= unit.changes;
     }
-    moving_.insert(moving_.end(), threads, {0, schedule.stack, 0, subtrees_end, -1});
+    moving_.insert(moving_.end(), threads, {0, schedule.stack, 0, subtrees_end, -1, subtrees_change, false});
     find_subtrees();
   }
 
@@ -148,7 +158,9 @@ class Planner {
   static bool is_larger(const Lease& a, const Lease& b) { return a.values > b.values; }
   static bool ends_later(const Lease& a, const Lease& b) { return a.end > b.end; }
   static bool is_larger_for_longer(const Lease& a, const Lease& b) {
-    const auto size = [](const Lease& one) { return static_cast<double>(one.values) * (one.end - one.begin); };
+    const auto size = [](const Lease& one) {
+      return static_cast<double>(one.values) * (one.end - one.begin);
+    };
     return size(a) > size(b);
   }
 

@@ -21,6 +21,7 @@ double added_zeros(const Node& child, const Node& parent) {
 }
 
 bool pays(const Node& child, const Node& parent, const Amalgamation& options) {
+  if (child.is_last != parent.is_last) return false;
   const int columns = child.columns + parent.columns;
   const double zeros = child.zeros + parent.zeros + added_zeros(child, parent);
   const double share = zeros / trapezoid(columns, parent.rows + child.columns);
@@ -50,14 +51,16 @@ Children children_of(const SupernodeTree& tree) {
 
 }  // namespace
 
-SupernodeTree fundamental_supernodes(const std::vector<int>& parent, const std::vector<int>& count) {
+SupernodeTree fundamental_supernodes(const std::vector<int>& parent, const std::vector<int>& count,
+                                     const std::vector<bool>& is_last) {
   const int n = static_cast<int>(parent.size());
   SupernodeTree tree;
   tree.next.assign(parent.size(), -1);
   std::vector<int> node_of(parent.size());
   for (int j = 0; j < n; ++j) {
-    const bool goes_on = j > 0 && parent[j - 1] == j && count[j] == count[j - 1] - 1;
-    if (!goes_on) tree.node.push_back({0, count[j], -1, j, j, 0, false});
+    const bool goes_on =
+        j > 0 && parent[j - 1] == j && count[j] == count[j - 1] - 1 && is_last[j] == is_last[j - 1];
+    if (!goes_on) tree.node.push_back({0, count[j], -1, j, j, 0, is_last[j], false});
     Node& node = tree.node.back();
     if (goes_on) tree.next[node.last] = j;
     node.last = j;

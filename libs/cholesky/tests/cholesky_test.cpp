@@ -1,15 +1,12 @@
 // Factors of small matrices against dense ones, and what does not depend on threads.
 #include "every_level.hpp"
 #include "matrices.hpp"
+#include "threads.hpp"
 
 #include <isostretch/cholesky/factor.hpp>
 #include <isostretch/core/error.hpp>
 
 #include <doctest/doctest.h>
-#if defined(_OPENMP)
-#include <omp.h>
-#endif
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -24,14 +21,6 @@ using namespace isostretch::cholesky;
 using namespace isostretch::cholesky::test;
 
 namespace {
-
-// Sets the threads of parallel loops; 0: those there were at first.
-void set_threads([[maybe_unused]] int count) {
-#if defined(_OPENMP)
-  static const int at_first = omp_get_max_threads();
-  omp_set_num_threads(count > 0 ? count : at_first);
-#endif
-}
 
 double backward_error(const Matrix& A, const Eigen::VectorXd& x, const Eigen::VectorXd& b) {
   const Eigen::MatrixXd dense = A.dense();

@@ -39,6 +39,7 @@ struct Supernode {
   std::int64_t entry = 0;    ///< Where its entries of A begin in Structure::entry.
   std::int64_t child = 0;    ///< Where its children begin in Structure::child.
   std::int64_t run = 0;      ///< Where the runs of its update matrix begin in Structure::run.
+  bool is_last = false;      ///< Whether its columns are among those that are eliminated last.
   /// Operations of its subtree, itself included.
   double subtree_flops = 0;
   /// Values that the stack of update matrices has at most while its subtree is eliminated, its own update
@@ -80,12 +81,18 @@ class Analysis {
   /// Analyses a pattern whose unknowns are eliminated in `order`, position by position, up to the order of
   /// branches of the elimination tree, which costs nothing; empty: as they are numbered. Throws Error for a
   /// pattern or an order that is none, and for a front of more than 2^32 values.
-  explicit Analysis(const Pattern& pattern, std::span<const int> order = {}, const Amalgamation& merge = {});
+  ///
+  /// The last unknowns of the order, as many as `last` says, have supernodes of their own, so that they can
+  /// be factorised again without the others, and have a Schur complement (see Factor).
+  explicit Analysis(const Pattern& pattern, std::span<const int> order = {}, const Amalgamation& merge = {},
+                    int last = 0);
 
   /// Returns the structure of L.
   const Structure& structure() const { return structure_; }
   /// Returns the number of rows and columns of the matrix.
   int size() const { return static_cast<int>(structure_.order.size()); }
+  /// Returns the unknowns that are eliminated last, in the order that was given.
+  const std::vector<int>& last() const { return last_; }
   /// Returns the number of entries of L, the zeros of merged supernodes left out.
   double factor_nonzeros() const { return factor_nonzeros_; }
   /// Returns the operations of a factorization, additions and multiplications, the same zeros left out.
@@ -93,6 +100,7 @@ class Analysis {
 
  private:
   Structure structure_;
+  std::vector<int> last_;
   double factor_nonzeros_ = 0, factor_flops_ = 0;
 };
 

@@ -46,6 +46,11 @@ class Factor {
   /// Factorises the matrix with these values, in the order of the pattern's entries. Without success there is
   /// no factor until the next call.
   FactorizeResult factorize(const double* values);
+  /// Factorises a matrix that differs from the last one of a successful factorize() in nothing but entries
+  /// both of whose unknowns are among Analysis::last(), and takes from that factorization what has not
+  /// changed. The factor is the same, to the bit, as that of factorize(), which is called where there has
+  /// been none yet.
+  FactorizeResult refactorize(const double* values);
   /// Returns whether there is a factor.
   bool is_ready() const;
 
@@ -53,6 +58,12 @@ class Factor {
   /// solved eight at a time. Throws Error where there is no factor, and std::bad_alloc where there is no
   /// memory for the solve.
   void solve(const double* b, double* x, int columns = 1);
+
+  /// Computes what is left of the rows and columns of Analysis::last() when all other unknowns have been
+  /// eliminated: the Schur complement S = A_ll - A_lo A_oo^-1 A_ol, all its entries in columns of
+  /// last().size() values. Throws Error where there is no factor, and std::bad_alloc where there is no memory
+  /// for it.
+  void schur_complement(double* values) const;
 
  private:
   class Elimination;
