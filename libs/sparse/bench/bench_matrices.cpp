@@ -110,6 +110,7 @@ SymmetricMatrix cube_of_tetrahedra(int tetrahedra) {
 
 SymmetricMatrix read_matrix_market(const std::string& path) {
   std::ifstream file(path);
+  if (!file) throw Error(path + ": cannot be opened");
   std::string line;
   if (!std::getline(file, line) || line.rfind("%%MatrixMarket matrix coordinate real symmetric", 0) != 0)
     throw Error(path + ": not a symmetric matrix of real numbers in coordinates");

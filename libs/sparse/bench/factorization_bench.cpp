@@ -12,6 +12,7 @@
 // then: for a figure of its own a solver needs a process of its own, as tools/factorizations gives it.
 #include "bench_matrices.hpp"
 #include "factorization_run.hpp"
+#include "json_line.hpp"
 #include "machine_peaks.hpp"
 #include "supernode_list.hpp"
 
@@ -114,9 +115,18 @@ void measure_all(Arguments arguments) {
       }
 }
 
+std::string solver_list() {
+  std::vector<std::string> names;
+  for (const Backend solver : available_backends()) names.emplace_back(backend_name(solver));
+  bench::JsonLine line;
+  line.add("solvers", listed(names));
+  return line.text();
+}
+
 void run(std::vector<std::string> words) {
   const std::string mode = words.empty() ? "" : words.front();
   if (mode == "machine") {
+    print(solver_list());
     for (const std::string& line : bench::machine_peaks()) print(line);
   } else if (mode == "supernodes") {
     words.erase(words.begin());

@@ -5,12 +5,17 @@
 
 #include "../tests/matrices.hpp"
 
+#include <isostretch/core/error.hpp>
 #include <isostretch/core/isa.hpp>
+#include <isostretch/core/timer.hpp>
 
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <exception>
 #include <fstream>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace isostretch::sparse::bench {
@@ -18,15 +23,15 @@ namespace {
 
 constexpr int several = 8;  // right-hand sides
 
-// One repetition of a phase; returns its seconds, or throws Error.
+// Repeats a phase, which returns its seconds or throws Error. Time that it takes besides counts for the
+// limit.
 template <class Phase>
 double median_seconds(const Run& run, const Phase& phase) {
   std::vector<double> seconds;
-  double sum = 0;
+  const Timer timer;
   do {
     seconds.push_back(phase());
-    sum += seconds.back();
-  } while (static_cast<int>(seconds.size()) < run.repetitions && sum < run.seconds);
+  } while (static_cast<int>(seconds.size()) < run.repetitions && timer.seconds() < run.seconds);
   const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
   std::nth_element(seconds.begin(), middle, seconds.end());
   return *middle;

@@ -16,7 +16,7 @@ ISOSTRETCH_KERNEL_LEVELS(PeakTable, table)
 
 namespace {
 
-constexpr int attempts = 5;  // of which the best counts: whatever disturbs a machine makes it slower
+constexpr int attempts = 25;  // of which the best counts: whatever disturbs a machine makes it slower
 
 template <class Work>
 double best_seconds(const Work& work) {
