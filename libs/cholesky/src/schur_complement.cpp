@@ -28,11 +28,12 @@ class Triangle {
 
 }  // namespace
 
-// Rows of L of unknowns that are eliminated last have entries in columns of theirs, L_ll, and in others, L_lo.
-// S = A_ll - L_lo L_lo^T = L_ll L_ll^T.
+// Rows of L of unknowns that are eliminated last have entries in columns of theirs, L_ll, and in others,
+// L_lo. S = A_ll - L_lo L_lo^T = L_ll L_ll^T.
 void Factor::Elimination::schur_complement(double* values) const {
   const int count = static_cast<int>(analysis_.last().size());
-  std::vector<int> number(size(analysis_.size()), -1), position;  // of positions among the last ones, and back
+  std::vector<int> number(size(analysis_.size()), -1),
+      position;  // of positions among the last ones, and back
   for (int s = 0; s < structure_.count(); ++s) {
     const Supernode& node = structure_.supernode[size(s)];
     for (int p = node.first; node.is_last && p < node.first + node.columns; ++p) {

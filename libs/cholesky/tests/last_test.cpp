@@ -27,8 +27,13 @@ struct Case {
 
 // A few unknowns of large and of small trees, coupled and not, all of them, a single one, and none.
 std::vector<Case> cases() {
-  return {{grid(34, 31, 2), 40},      {grid(34, 31, 2), 700}, {grid(9, 7, 1), 63},        {grid(9, 7, 1), 1},
-          {random_matrix(60, 0, 1), 9}, {grid(5, 5, 1), 0},     {random_matrix(400, 1, 2), 250}};
+  return {{grid(34, 31, 2), 40},
+          {grid(34, 31, 2), 700},
+          {grid(9, 7, 1), 63},
+          {grid(9, 7, 1), 1},
+          {random_matrix(60, 0, 1), 9},
+          {grid(5, 5, 1), 0},
+          {random_matrix(400, 1, 2), 250}};
 }
 
 // Entries both of whose unknowns are among the last ones change, and the matrix stays positive definite.
@@ -39,7 +44,8 @@ void change(Matrix& A, const std::vector<int>& last, unsigned seed) {
   for (const int unknown : last) is_last[unknown] = true;
   for (int j = 0; j < A.size; ++j)
     for (int k = A.start[j]; k < A.start[j + 1]; ++k)
-      if (is_last[j] && is_last[A.row[k]]) A.value[k] = A.row[k] == j ? 2 * A.value[k] : A.value[k] * uniform(generator);
+      if (is_last[j] && is_last[A.row[k]])
+        A.value[k] = A.row[k] == j ? 2 * A.value[k] : A.value[k] * uniform(generator);
 }
 
 Eigen::VectorXd solved(Factor& factor, const Eigen::VectorXd& b) {

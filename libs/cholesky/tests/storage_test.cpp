@@ -1,4 +1,5 @@
-// Places of update matrices: nothing overlaps that is needed at the same time, in any order that units may take.
+// Places of update matrices: nothing overlaps that is needed at the same time, in any order that units may
+// take.
 #include "../src/storage.hpp"
 
 #include "matrices.hpp"
@@ -39,7 +40,8 @@ class Memory {
 // Eliminates units in an order drawn at random, as threads of any speed would.
 class Execution {
  public:
-  Execution(const Structure& structure, const Schedule& schedule, const Storage& storage, int threads, unsigned seed)
+  Execution(const Structure& structure, const Schedule& schedule, const Storage& storage, int threads,
+            unsigned seed)
       : structure_(structure), schedule_(schedule), storage_(storage), slots_(threads, -1), random_(seed) {}
 
   void factorize() {
@@ -127,7 +129,8 @@ class Execution {
 }  // namespace
 
 TEST_CASE("storage: nothing overlaps that is needed at the same time, whatever the order of units") {
-  const Matrix meshes[] = {grid(34, 31, 2), grid(200, 4, 1), random_matrix(700, 0.01, 3), random_matrix(50, 0, 1)};
+  const Matrix meshes[] = {grid(34, 31, 2), grid(200, 4, 1), random_matrix(700, 0.01, 3),
+                           random_matrix(50, 0, 1)};
   for (const Matrix& A : meshes)
     for (const int last : {0, 1, 30, 50}) {
       const Analysis analysis(A.pattern(), shuffled(A.size, 8), {}, last);
