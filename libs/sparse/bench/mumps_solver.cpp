@@ -44,7 +44,7 @@ class MumpsSolver final : public Solver {
   }
 
   FactorResult do_analyze(const SymmetricMatrix& A) override {
-    const std::vector<int> order = ordering_.compute(A, options_.ordering, statistics_);
+    const std::vector<int> order = ordering_.compute(A, options_.ordering, last(), statistics_);
     position_.resize(order.size());
     for (int p = 0; p < A.size; ++p) position_[static_cast<std::size_t>(order[p])] = p + 1;
     set_pattern(A);

@@ -10,7 +10,7 @@ namespace isostretch::sparse::bench {
 
 std::vector<std::string> supernode_list(const SymmetricMatrix& A, Ordering ordering) {
   Statistics statistics;
-  const std::vector<int> order = KeptOrdering().compute(A, ordering, statistics);
+  const std::vector<int> order = KeptOrdering().compute(A, ordering, {}, statistics);
   const cholesky::Analysis analysis({A.size, A.column_start.data(), A.row.data()}, order);
   const cholesky::Structure& structure = analysis.structure();
   std::vector<std::string> lines;

@@ -82,6 +82,7 @@ class AutomaticSolver final : public Solver {
   void use(std::unique_ptr<Solver> solver) {
     chosen_ = std::move(solver);
     counted_ = {};
+    chosen_->set_last(last());
     if (tolerance_ > 0) chosen_->set_tolerance(tolerance_);
     if (dim_ > 0) chosen_->set_coordinates(positions_.data(), dim_, nodes(), axis_);
   }
@@ -91,6 +92,19 @@ class AutomaticSolver final : public Solver {
     const FactorResult result = chosen_->factorize(A);
     take_statistics();
     return result;
+  }
+
+  FactorResult do_refactorize(const SymmetricMatrix& A) override {
+    if (chosen_->statistics().backend == Backend::pcg) return do_factorize(A);
+    const FactorResult result = chosen_->refactorize(A);
+    take_statistics();
+    return result;
+  }
+
+  bool do_schur_complement(double* values) const override {
+    if (chosen_->statistics().backend != Backend::multifrontal) return false;
+    chosen_->schur_complement(values);
+    return true;
   }
 
   SolveResult do_solve(const double* b, double* x, int columns) override {

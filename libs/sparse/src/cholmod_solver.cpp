@@ -32,7 +32,7 @@ class CholmodSolver final : public Solver {
 
  private:
   FactorResult do_analyze(const SymmetricMatrix& A) override {
-    permutation_ = ordering_.compute(A, options_.ordering, statistics_);
+    permutation_ = ordering_.compute(A, options_.ordering, last(), statistics_);
     const FactorResult result = analyze_permuted(A);
     flops_when_ordered_ = statistics_.factor_flops;
     return result;

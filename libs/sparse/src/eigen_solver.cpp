@@ -24,7 +24,7 @@ class EigenSolver final : public Solver {
   }
 
   FactorResult do_analyze(const SymmetricMatrix& A) override {
-    permutation_ = ordering_.compute(A, options_.ordering, statistics_);
+    permutation_ = ordering_.compute(A, options_.ordering, last(), statistics_);
     return analyze_permuted(A);
   }
 

@@ -23,7 +23,8 @@ class MultifrontalSolver final : public Solver {
 
  private:
   FactorResult do_analyze(const SymmetricMatrix& A) override {
-    const FactorResult result = analyze_in_order(A, ordering_.compute(A, options_.ordering, statistics_));
+    const FactorResult result =
+        analyze_in_order(A, ordering_.compute(A, options_.ordering, last(), statistics_));
     flops_when_ordered_ = statistics_.factor_flops;
     return result;
   }
@@ -37,7 +38,8 @@ class MultifrontalSolver final : public Solver {
     factor_.reset();
     statistics_.backend = Backend::multifrontal;
     try {
-      analysis_ = cholesky::Analysis({A.size, A.column_start.data(), A.row.data()}, order);
+      analysis_ = cholesky::Analysis({A.size, A.column_start.data(), A.row.data()}, order, {},
+                                     ordering_.last_count());
     } catch (const std::bad_alloc&) {
       return {FactorStatus::out_of_memory, -1, "out of memory in the symbolic analysis"};
     } catch (const Error& error) {
@@ -51,8 +53,20 @@ class MultifrontalSolver final : public Solver {
   }
 
   FactorResult do_factorize(const SymmetricMatrix& A) override {
+    return counted(factor_->factorize(A.value.data()));
+  }
+
+  FactorResult do_refactorize(const SymmetricMatrix& A) override {
+    return counted(factor_->refactorize(A.value.data()));
+  }
+
+  bool do_schur_complement(double* values) const override {
+    factor_->schur_complement(values);
+    return true;
+  }
+
+  FactorResult counted(const cholesky::FactorizeResult& result) {
     ++statistics_.factorizations;
-    const cholesky::FactorizeResult result = factor_->factorize(A.value.data());
     switch (result.status) {
       case cholesky::FactorizeStatus::not_positive_definite:
         return {FactorStatus::not_positive_definite, result.unknown,

@@ -133,6 +133,62 @@ std::vector<int> expand(const std::vector<int>& groups, const std::vector<int>& 
   return permutation;
 }
 
+// The nodes where `chosen` is `which`, ascending, and the graph of them.
+struct Subgraph {
+  std::vector<int> node;
+  SymmetricMatrix matrix;
+
+  Subgraph(const SymmetricMatrix& graph, const std::vector<bool>& chosen, bool which) {
+    std::vector<int> number(graph.size, -1);
+    for (int g = 0; g < graph.size; ++g)
+      if (chosen[g] == which) {
+        number[g] = static_cast<int>(node.size());
+        node.push_back(g);
+      }
+    matrix.size = static_cast<int>(node.size());
+    matrix.column_start.push_back(0);
+    for (const int g : node) {
+      for (int k = graph.column_start[g]; k < graph.column_start[g + 1]; ++k)
+        if (number[graph.row[k]] >= 0) matrix.row.push_back(number[graph.row[k]]);
+      matrix.column_start.push_back(matrix.nonzeros());
+    }
+    matrix.value.assign(matrix.row.size(), 0.0);
+  }
+};
+
+std::vector<int> order_nodes(const SymmetricMatrix& graph, Ordering ordering) {
+  if (graph.size == 0) return {};
+  return ordering == Ordering::metis ? nested_dissection(graph) : minimum_degree(graph);
+}
+
+// The groups with unknowns that come last are left out of the graph that is ordered: what they are coupled to
+// fills their rows in any order.
+std::vector<int> order_before(const SymmetricMatrix& graph, const std::vector<bool>& is_last,
+                              Ordering ordering) {
+  std::vector<int> order;
+  for (const bool last : {false, true}) {
+    const Subgraph part(graph, is_last, last);
+    for (const int k : order_nodes(part.matrix, ordering)) order.push_back(part.node[k]);
+  }
+  return order;
+}
+
+// Which groups have unknowns among these.
+std::vector<bool> groups_of(const std::vector<int>& unknowns, const std::vector<int>& first) {
+  std::vector<bool> chosen(first.size() - 1, false);
+  for (const int unknown : unknowns)
+    chosen[std::upper_bound(first.begin(), first.end(), unknown) - first.begin() - 1] = true;
+  return chosen;
+}
+
+// Moves these unknowns to the end.
+void move_to_end(std::vector<int>& order, const std::vector<int>& last) {
+  std::vector<bool> is_last(order.size(), false);
+  for (const int unknown : last) is_last[unknown] = true;
+  const auto end = std::remove_if(order.begin(), order.end(), [&](int unknown) { return is_last[unknown]; });
+  std::copy(last.begin(), last.end(), end);
+}
+
 }  // namespace
 
 GroupGraph group_graph(const SymmetricMatrix& A) {
@@ -165,25 +221,36 @@ bool is_of_3d_kind(const SymmetricMatrix& A) {
   return dense_as_in_3d(group_graph(A).matrix);
 }
 
-std::vector<int> KeptOrdering::compute(const SymmetricMatrix& A, Ordering wanted, Statistics& statistics) {
+std::vector<int> KeptOrdering::compute(const SymmetricMatrix& A, Ordering wanted,
+                                       const std::vector<int>& last, Statistics& statistics) {
   const ScopedTimer timer(statistics.ordering_seconds);
   ++statistics.orderings;
   used_ = wanted;
-  if (wanted != Ordering::natural) {
+  last_ = last;
+  std::vector<int> order;
+  if (wanted == Ordering::natural) {
+    order = natural_ordering(A.size);
+  } else {
     GroupGraph graph = group_graph(A);
     if (wanted == Ordering::automatic) used_ = choose(graph.matrix);
-    groups_ = used_ == Ordering::metis ? nested_dissection(graph.matrix) : minimum_degree(graph.matrix);
+    groups_ = last.empty() ? order_nodes(graph.matrix, used_)
+                           : order_before(graph.matrix, groups_of(last, graph.first), used_);
     column_start_ = std::move(graph.matrix.column_start);
     row_ = std::move(graph.matrix.row);
-    statistics.ordering = used_;
-    return expand(groups_, graph.first);
+    order = expand(groups_, graph.first);
   }
   statistics.ordering = used_;
-  return natural_ordering(A.size);
+  move_to_end(order, last_);
+  return order;
 }
 
 std::vector<int> KeptOrdering::adapt(const SymmetricMatrix& A) const {
-  if (used_ == Ordering::natural) return natural_ordering(A.size);
+  std::vector<int> order = used_ == Ordering::natural ? natural_ordering(A.size) : adapted(A);
+  move_to_end(order, last_);
+  return order;
+}
+
+std::vector<int> KeptOrdering::adapted(const SymmetricMatrix& A) const {
   const GroupGraph graph = group_graph(A);
   const SymmetricMatrix& G = graph.matrix;
   std::vector<bool> moved(groups_.size(), false);

@@ -15,15 +15,22 @@ namespace isostretch::sparse {
 // couple the separators above either, which is the expensive part of a factor.
 class KeptOrdering {
  public:
-  // Position -> unknown. Enters time, count and kind in the statistics.
-  std::vector<int> compute(const SymmetricMatrix& A, Ordering wanted, Statistics& statistics);
+  // Position -> unknown. Those of `last` come last, in their order. Enters time, count and kind in the
+  // statistics.
+  std::vector<int> compute(const SymmetricMatrix& A, Ordering wanted, const std::vector<int>& last,
+                           Statistics& statistics);
   // The same for a pattern of the same groups.
   std::vector<int> adapt(const SymmetricMatrix& A) const;
+  // Number of unknowns that come last.
+  int last_count() const { return static_cast<int>(last_.size()); }
 
  private:
+  std::vector<int> adapted(const SymmetricMatrix& A) const;
+
   Ordering used_ = Ordering::natural;
   std::vector<int> column_start_, row_;  // of the graph, sorted
   std::vector<int> groups_;              // position -> group of the graph
+  std::vector<int> last_;
 };
 
 // Whether the graph of the groups has the density of a tetrahedral mesh rather than a triangular one.

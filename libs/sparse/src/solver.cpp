@@ -4,9 +4,11 @@
 #include <isostretch/core/to_text.hpp>
 #include <isostretch/sparse/solver.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <string>
+#include <utility>
 
 namespace isostretch::sparse {
 namespace {
@@ -30,6 +32,10 @@ FactorResult Solver::take_pattern(const SymmetricMatrix& A, const Analysis& anal
   ++statistics_.analyze_calls;
   A.validate();
   state_ = State::empty;
+  for (const int unknown : last_)
+    if (unknown >= A.size)
+      throw Error("sparse solver: unknown " + std::to_string(unknown) + " cannot be the last of " +
+                  std::to_string(A.size));
   size_ = A.size;
   try {
     column_start_ = A.column_start;
@@ -72,7 +78,8 @@ void Solver::log_analysis() const {
   });
 }
 
-FactorResult Solver::factorize(const SymmetricMatrix& A) {
+template <class Factorization>
+FactorResult Solver::take_values(const SymmetricMatrix& A, const Factorization& factorization) {
   const ScopedTimer timer(statistics_.factorize_seconds);
   ++statistics_.factorize_calls;
   if (state_ == State::empty) throw Error("sparse solver: factorize() needs an analyze() first");
@@ -82,12 +89,20 @@ FactorResult Solver::factorize(const SymmetricMatrix& A) {
   A.require_finite();
   FactorResult result;
   try {
-    if (size_ > 0) result = do_factorize(A);
+    if (size_ > 0) result = factorization();
   } catch (const std::bad_alloc&) {
     result = {FactorStatus::out_of_memory, -1, "out of memory in the factorization"};
   }
   if (result) state_ = State::factorized;
   return result;
+}
+
+FactorResult Solver::factorize(const SymmetricMatrix& A) {
+  return take_values(A, [&] { return do_factorize(A); });
+}
+
+FactorResult Solver::refactorize(const SymmetricMatrix& A) {
+  return take_values(A, [&] { return do_refactorize(A); });
 }
 
 SolveResult Solver::solve_columns(const double* b, double* x, int columns) {
@@ -114,6 +129,25 @@ void Solver::set_coordinates(const double* positions, int dim, int nodes, const 
       if (!std::isfinite(positions[static_cast<std::size_t>(dim) * node + a]))
         throw Error("sparse solver: a coordinate of node " + std::to_string(node) + " is not finite");
   do_set_coordinates(positions, dim, nodes, axis);
+}
+
+void Solver::set_last(std::vector<int> unknowns) {
+  std::vector<int> sorted = unknowns;
+  std::sort(sorted.begin(), sorted.end());
+  if (!sorted.empty() && sorted.front() < 0)
+    throw Error("sparse solver: unknown " + std::to_string(sorted.front()) + " cannot be the last");
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    throw Error("sparse solver: unknown " + std::to_string(*twice) + " cannot be the last twice");
+  last_ = std::move(unknowns);
+  state_ = State::empty;
+}
+
+void Solver::schur_complement(double* values) const {
+  if (state_ != State::factorized)
+    throw Error("sparse solver: schur_complement() needs a successful factorize() first");
+  if (!last_.empty() && !do_schur_complement(values))
+    throw Error("sparse solver: the back end " + std::string(backend_name(statistics_.backend)) +
+                " computes no Schur complement");
 }
 
 void Solver::require_rows(Eigen::Index rows) const {

@@ -37,10 +37,15 @@ class Value {
   Value(std::string text);
   /// Makes a list of numbers.
   Value(std::vector<double> numbers);
+  /// Copies a value with all that is in it.
   Value(const Value& other);
+  /// Takes another value's content, and leaves it something that can be destroyed or assigned to.
   Value(Value&& other) noexcept;
+  /// Copies a value with all that is in it.
   Value& operator=(const Value& other);
+  /// Takes another value's content, and leaves it something that can be destroyed or assigned to.
   Value& operator=(Value&& other) noexcept;
+  /// Destroys the value and all that is in it.
   ~Value();
   /// Makes a list of nothing.
   static Value list();

@@ -104,6 +104,11 @@ class Solver {
   /// Factorises a matrix with the pattern analyzed. Its values are not referred to later.
   FactorResult factorize(const SymmetricMatrix& A);
 
+  /// Factorises a matrix that differs from that of the last successful factorize() in nothing but entries
+  /// both of whose unknowns were given to set_last(), which is not checked. The multifrontal back end then
+  /// takes all that it can from that factorization, and gives the bits of factorize(); others factorise anew.
+  FactorResult refactorize(const SymmetricMatrix& A);
+
   /// Solves for one right-hand side. x is resized here, in the caller's code: memory of an Eigen object must
   /// not change hands between code compiled with different instruction sets.
   SolveResult solve(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x) {
@@ -134,6 +139,18 @@ class Solver {
   /// copied, and used by the factorize() calls that follow; axes count from the next analyze() on.
   void set_coordinates(const double* positions, int dim, int nodes, const std::vector<int>& axis = {});
 
+  /// Says which unknowns a direct solver is to eliminate after all others, those of the list in its order:
+  /// unknowns whose entries change from one matrix to the next while others stay, as pins and contacts do
+  /// (see refactorize()), or whose Schur complement is wanted. analyze() is due after it. It may cost fill; a
+  /// few thousand are no burden. Throws Error for a negative unknown and one given twice, and analyze() does
+  /// for one that the matrix has not.
+  void set_last(std::vector<int> unknowns);
+
+  /// Computes the Schur complement of the unknowns of set_last(), all its entries in columns of as many
+  /// values: what is left of their rows and columns when all other unknowns have been eliminated. Throws
+  /// Error without a factorization and for a back end that has none: only `multifrontal` does.
+  void schur_complement(double* values) const;
+
   /// Returns what the solver has done so far.
   const Statistics& statistics() const noexcept { return statistics_; }
 
@@ -147,12 +164,19 @@ class Solver {
   virtual FactorResult do_update_pattern(const SymmetricMatrix& A) { return do_analyze(A); }
   /// Factorises the matrix, whose pattern was analyzed.
   virtual FactorResult do_factorize(const SymmetricMatrix& A) = 0;
+  /// Factorises anew unless overridden.
+  virtual FactorResult do_refactorize(const SymmetricMatrix& A) { return do_factorize(A); }
   /// Solves for so many right-hand sides, column by column.
   virtual SolveResult do_solve(const double* b, double* x, int columns) = 0;
   /// Arguments are valid.
   virtual void do_set_tolerance(double) {}
   /// Takes the positions of nodes, for back ends that use them.
   virtual void do_set_coordinates(const double*, int, int, const std::vector<int>&) {}
+
+  /// Returns whether the back end has computed the Schur complement.
+  virtual bool do_schur_complement(double*) const { return false; }
+  /// Returns the unknowns to be eliminated last.
+  const std::vector<int>& last() const { return last_; }
 
   /// The counts and times that statistics() returns.
   Statistics statistics_;
@@ -162,6 +186,8 @@ class Solver {
   void require_same_pattern(const SymmetricMatrix& A) const;
   template <class Analysis>
   FactorResult take_pattern(const SymmetricMatrix& A, const Analysis& analysis);
+  template <class Factorization>
+  FactorResult take_values(const SymmetricMatrix& A, const Factorization& factorization);
   void log_analysis() const;
   friend std::unique_ptr<Solver> make_solver(const Options& options);
 
@@ -172,6 +198,7 @@ class Solver {
   std::vector<int> column_start_;
   std::vector<int> row_;
   std::vector<int> group_;
+  std::vector<int> last_;
 };
 
 /// Makes a solver, from the options as make_solver() was given them.
