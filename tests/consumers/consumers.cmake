@@ -77,7 +77,7 @@ elseif(STEP STREQUAL "purity")
   # One component, nothing else; packages that it has no use for are forbidden on top.
   string(REPLACE "," ";" expected_packages "${PACKAGES}")
   set(forbidden "")
-  foreach(package Eigen3 CHOLMOD METIS OpenMP Ipopt NLopt BLAS LAPACK spdlog CLI11 nlohmann_json doctest benchmark Threads ZLIB)
+  foreach(package Eigen3 AMD CHOLMOD METIS OpenMP Ipopt NLopt BLAS LAPACK spdlog CLI11 nlohmann_json doctest benchmark Threads ZLIB)
     if(NOT package IN_LIST expected_packages)
       list(APPEND forbidden -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
     endif()

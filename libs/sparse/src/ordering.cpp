@@ -13,7 +13,9 @@
 #include <string>
 #include <utility>
 
-#if defined(ISOSTRETCH_WITH_CHOLMOD)
+#if defined(ISOSTRETCH_WITH_AMD)
+#include <amd.h>
+#elif defined(ISOSTRETCH_WITH_CHOLMOD)
 #include "cholmod_session.hpp"
 #endif
 #if defined(ISOSTRETCH_WITH_METIS)
@@ -34,7 +36,22 @@ bool dense_as_in_3d(const SymmetricMatrix& graph) {
   return graph.nonzeros() > 5.5 * graph.size;
 }
 
-#if defined(ISOSTRETCH_WITH_CHOLMOD)
+#if defined(ISOSTRETCH_WITH_AMD)
+
+// amd_order() orders the pattern of A + A^T, for which one triangle is enough. Its permutations are those of
+// cholmod_amd(), which calls the same code with the same settings.
+std::vector<int> minimum_degree(const SymmetricMatrix& graph) {
+  std::vector<int> permutation(graph.size);
+  if (graph.size == 0) return permutation;  // amd_order() refuses null pointers
+  const int status = amd_order(graph.size, graph.column_start.data(), graph.row.data(), permutation.data(),
+                               nullptr, nullptr);
+  if (status == AMD_OUT_OF_MEMORY) throw std::bad_alloc();
+  if (status != AMD_OK)
+    throw Error("libamd could not compute the amd ordering, status " + std::to_string(status));
+  return permutation;
+}
+
+#elif defined(ISOSTRETCH_WITH_CHOLMOD)
 
 std::vector<int> minimum_degree(const SymmetricMatrix& graph) {
   CholmodSession session;
