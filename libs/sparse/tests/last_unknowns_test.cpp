@@ -65,7 +65,8 @@ TEST_CASE("last unknowns: refactorizations solve the matrix that they are given,
     });
 }
 
-TEST_CASE("last unknowns: a refactorization with the multifrontal back end gives the bits of a factorization") {
+TEST_CASE(
+    "last unknowns: a refactorization with the multifrontal back end gives the bits of a factorization") {
   const SymmetricMatrix A = grid_2d(40);
   const std::vector<int> last = some_unknowns(A, 30);
   const SymmetricMatrix changed = stiffened(A, last, 7);

@@ -16,6 +16,31 @@ int corner_at(const Side& side, int vertex) {
   return 3 * side.triangle + (vertex == side.from() ? side.corner : (side.corner + 1) % 3);
 }
 
+// Sorts sides whose triangles ascend. Vertices are the numbers of a mesh as a rule, which counting sorts in
+// no time, and a vertex has few edges.
+void sort_by_edge(std::vector<Side>& sides) {
+  const auto comes_first = [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+  };
+  if (sides.empty()) return;
+  const auto [least, most] = std::minmax_element(sides.begin(), sides.end(),
+                                                 [](const Side& a, const Side& b) { return a.low < b.low; });
+  const long long first = least->low, range = most->low - first + 1;
+  if (range > 4 * static_cast<long long>(sides.size()))
+    return std::sort(sides.begin(), sides.end(), comes_first);
+
+  std::vector<std::size_t> start(static_cast<std::size_t>(range) + 1, 0);
+  for (const Side& side : sides) ++start[static_cast<std::size_t>(side.low - first) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<Side> sorted(sides.size());
+  std::vector<std::size_t> place(start.begin(), start.end() - 1);
+  for (const Side& side : sides) sorted[place[static_cast<std::size_t>(side.low - first)]++] = side;
+  for (std::size_t v = 0; v + 1 < start.size(); ++v)
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(start[v]),
+              sorted.begin() + static_cast<std::ptrdiff_t>(start[v + 1]), comes_first);
+  sides.swap(sorted);
+}
+
 }  // namespace
 
 std::vector<Side> sorted_sides(const Triangles& triangles) {
@@ -28,9 +53,7 @@ std::vector<Side> sorted_sides(const Triangles& triangles) {
       sides.push_back({std::min(from, to), std::max(from, to), static_cast<int>(t), corner, from > to});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
+  sort_by_edge(sides);
   return sides;
 }
 
