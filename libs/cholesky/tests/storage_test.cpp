@@ -138,7 +138,7 @@ TEST_CASE("storage: nothing overlaps that is needed at the same time, whatever t
       for (const int threads : {1, 2, 3, 8}) {
         const Storage storage(analysis.structure(), schedule, threads);
         CHECK(storage.values >= analysis.structure().values);
-        for (unsigned seed = 0; seed < 20; ++seed)
+        for (unsigned seed = 0; seed < 4; ++seed)
           Execution(analysis.structure(), schedule, storage, threads, seed).factorize();
       }
     }
