@@ -46,7 +46,8 @@ class Drawing {
 
   Amalgamation merge() {
     if (below(2) == 0) return {};
-    return {{below(8), 8 + below(30), 40}, {0.1 * below(11), 0.1 * below(11), 0.1 * below(11), 0.1 * below(11)}};
+    return {{below(8), 8 + below(30), 40},
+            {0.1 * below(11), 0.1 * below(11), 0.1 * below(11), 0.1 * below(11)}};
   }
 
  private:
