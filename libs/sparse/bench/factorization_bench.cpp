@@ -1,15 +1,16 @@
 // Direct solvers on matrices of meshes, one line of JSON for every solver, ordering and number of threads;
 // the peaks of the machine to compare them with; the supernodes of a matrix.
 //
-//   isostretch_factorization_bench triangles=20000 [solver=multifrontal,cholmod_supernodal]
-//   [ordering=amd,metis]
-//                                  [threads=1,2] [level=v3] [repetitions=9] [seconds=10]
+//   isostretch_factorization_bench triangles=20000
+//       [solver=multifrontal,cholmod_supernodal] [ordering=amd,metis] [threads=1,2] [level=v3] [last=60]
+//       [repetitions=9] [seconds=10]
 //   isostretch_factorization_bench machine
 //   isostretch_factorization_bench supernodes triangles=2000 [ordering=metis]
 //
 // Matrices: triangles=<about so many>, tetrahedra=<about so many>, file=<Matrix Market, symmetric>. Solvers
-// are those of `sparse`, and mumps where it was found. The peak of the memory is that of the process up to
-// then: for a figure of its own a solver needs a process of its own, as tools/factorizations gives it.
+// are those of `sparse`, and mumps where it was found. `last` unknowns are eliminated last and factorised
+// again without the others. The peak of the memory is that of the process up to then: for a figure of its own
+// a solver needs a process of its own, as tools/factorizations gives it.
 #include "bench_matrices.hpp"
 #include "factorization_run.hpp"
 #include "json_line.hpp"
@@ -80,6 +81,8 @@ void take(Arguments& arguments, const std::string& name, const std::string& valu
     set_isa(isa_from_name(value));
   else if (name == "repetitions")
     arguments.run.repetitions = count_from(value);
+  else if (name == "last")
+    arguments.run.last = count_from(value);
   else if (name == "seconds")
     arguments.run.seconds = seconds_from(value);
   else

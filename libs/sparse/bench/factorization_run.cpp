@@ -16,6 +16,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace isostretch::sparse::bench {
@@ -61,7 +62,12 @@ void require(bool done, const std::string& message) {
 // The phases of one solver, in the order in which a program meets them.
 class Phases {
  public:
-  Phases(const SymmetricMatrix& A, const Run& run) : A_(A), run_(run), solver_(make_solver(run.options)) {}
+  Phases(const SymmetricMatrix& A, const Run& run) : A_(A), run_(run), solver_(make_solver(run.options)) {
+    std::vector<int> last;
+    for (int i = 0; i < run.last; ++i)
+      last.push_back(static_cast<int>(static_cast<long long>(i) * A.size / run.last));
+    solver_->set_last(std::move(last));
+  }
 
   void analyze(JsonLine& line) {
     // Ordering and the rest are parts of the same calls.
@@ -81,14 +87,18 @@ class Phases {
   }
 
   void factorize(JsonLine& line) {
-    const auto factorization = [&] {
-      const double before = solver_->statistics().factorize_seconds;
-      const FactorResult result = solver_->factorize(A_);
-      require(static_cast<bool>(result), result.message);
-      return solver_->statistics().factorize_seconds - before;
+    const auto factorization = [&](FactorResult (Solver::*factorize)(const SymmetricMatrix&)) {
+      return [&, factorize] {
+        const double before = solver_->statistics().factorize_seconds;
+        const FactorResult result = (*solver_.*factorize)(A_);
+        require(static_cast<bool>(result), result.message);
+        return solver_->statistics().factorize_seconds - before;
+      };
     };
-    line.add("first_factorization_seconds", factorization());
-    line.add("factorization_seconds", median_seconds(run_, factorization));
+    line.add("first_factorization_seconds", factorization(&Solver::factorize)());
+    line.add("factorization_seconds", median_seconds(run_, factorization(&Solver::factorize)));
+    if (run_.last > 0)
+      line.add("refactorization_seconds", median_seconds(run_, factorization(&Solver::refactorize)));
   }
 
   void solve(JsonLine& line) {

@@ -13,6 +13,7 @@ struct Run {
   int threads = 1;
   int repetitions = 9;
   double seconds = 10;
+  int last = 0;  // unknowns that are eliminated last, and factorised again without the others
 };
 
 // Measures one solver with one matrix. Returns a line of JSON: seconds are medians of the repetitions after
