@@ -17,7 +17,7 @@ class Agenda {
 
   // All units that are the work of single threads; `again`: only those that change.
   void begin(const Schedule& schedule, const Storage& storage, bool again);
-  // Number of a unit whose children are done, as soon as there is one; -1: there is none left to wait for.
+  // Number of a unit that has nothing to wait for, as soon as there is one; -1: all are taken.
   int take();
   void finish(int unit);
 

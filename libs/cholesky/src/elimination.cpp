@@ -48,10 +48,18 @@ void for_chunks(int rows, bool shared, const Work& work) {
 Factor::Elimination::Elimination(const Analysis& analysis)
     : analysis_(analysis), structure_(analysis.structure()), schedule_(structure_) {}
 
-std::int64_t Factor::Elimination::bytes(int threads) const {
-  const std::int64_t storage =
-      threads == storage_threads_ ? storage_.values : Storage(structure_, schedule_, threads).values;
-  const std::int64_t values = storage + overhang + static_cast<std::int64_t>(structure_.row.size());
+const Storage& Factor::Elimination::plan(int threads) {
+  if (threads != planned_threads_) {
+    planned_threads_ = 0;
+    planned_ = Storage(structure_, schedule_, threads);
+    planned_threads_ = threads;
+  }
+  return planned_;
+}
+
+std::int64_t Factor::Elimination::bytes(int threads) {
+  const std::int64_t values =
+      plan(threads).values + overhang + static_cast<std::int64_t>(structure_.row.size());
   return values * static_cast<std::int64_t>(sizeof(double)) +
          static_cast<std::int64_t>(structure_.supernode.size() * sizeof(double*));
 }
@@ -60,7 +68,7 @@ bool Factor::Elimination::take_memory(int threads) {
   try {
     if (threads != storage_threads_) {
       storage_threads_ = 0;
-      storage_ = Storage(structure_, schedule_, threads);
+      storage_ = plan(threads);
       storage_threads_ = threads;
     }
     if (most_bytes > 0 && bytes(threads) > most_bytes) return false;
@@ -95,8 +103,8 @@ FactorizeResult Factor::Elimination::refactorize(const double* values) {
 FactorizeResult Factor::Elimination::eliminate_units(bool again) {
   failed_ = analysis_.size();
   agenda_.begin(schedule_, storage_, again);
-  const bool parallel = storage_threads_ > 1;
-#pragma omp parallel num_threads(storage_threads_) if (parallel && schedule_.unit.size() > 1)
+  const bool parallel = most_threads() > 1;
+#pragma omp parallel num_threads(storage_.threads) if (parallel && storage_.threads > 1)
   for (int u; (u = agenda_.take()) >= 0; agenda_.finish(u))
     run(u, factor_.data() + storage_.stack[size(this_thread())], false);
   for (const int u : schedule_.top) {

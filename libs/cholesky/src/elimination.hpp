@@ -23,7 +23,7 @@ class Factor::Elimination {
  public:
   explicit Elimination(const Analysis& analysis);
 
-  std::int64_t bytes(int threads) const;
+  std::int64_t bytes(int threads);
   FactorizeResult factorize(const double* values);
   FactorizeResult refactorize(const double* values);
   void schur_complement(double* values) const;
@@ -40,6 +40,7 @@ class Factor::Elimination {
   Front columns_of(int s) const;
   Front update_of(int s, double* values) const;
 
+  const Storage& plan(int threads);
   bool take_memory(int threads);
   FactorizeResult eliminate_units(bool again);
   void run(int unit, double* stack, bool shared);
@@ -61,8 +62,9 @@ class Factor::Elimination {
   const Analysis& analysis_;
   const Structure& structure_;
   Schedule schedule_;
-  Storage storage_;  // for so many threads
-  int storage_threads_ = 0;
+  // Plans for so many threads: the one in use, and the last one that was asked for.
+  Storage storage_, planned_;
+  int storage_threads_ = 0, planned_threads_ = 0;
   Agenda agenda_;
   const FrontTable* kernels_ = nullptr;
   const double* values_ = nullptr;  // of A, while it is factorised

@@ -13,6 +13,7 @@ class ScheduleBuilder {
       : structure_(structure),
         schedule_(schedule),
         unit_of_(static_cast<std::size_t>(structure.count()), -1) {
+    choose_subtrees();
     make_units();
     link();
   }
@@ -20,12 +21,28 @@ class ScheduleBuilder {
  private:
   const Supernode& node(int s) const { return structure_.supernode[s]; }
 
-  void make_units() {
-    // Small enough that the last one does not keep several threads waiting.
-    constexpr double subtrees = 128;
+  // Units that hand an update matrix on, were subtrees of at most so many operations one unit each.
+  int units_below_others(double most_of_subtree) const {
+    int count = 0;
+    for (int s = 0; s < structure_.count(); ++s)
+      count += node(s).parent >= 0 && node(node(s).parent).subtree_flops > most_of_subtree;
+    return count;
+  }
+
+  // Subtrees are small enough that the last one does not keep several threads waiting. Where the tree is a
+  // chain, or a node has thousands of children, they are larger: planning where update matrices lie takes
+  // time that grows with the square of their number.
+  void choose_subtrees() {
+    constexpr int most_units = 256;
     for (int s = 0; s < structure_.count(); ++s)
       if (node(s).parent < 0) schedule_.flops += node(s).subtree_flops;
-    const auto is_top = [&](int s) { return node(s).subtree_flops > schedule_.flops / subtrees; };
+    double subtrees = 128;
+    while (subtrees > 1 && units_below_others(schedule_.flops / subtrees) > most_units) subtrees /= 2;
+    schedule_.most_of_subtree = schedule_.flops / subtrees;
+  }
+
+  void make_units() {
+    const auto is_top = [&](int s) { return node(s).subtree_flops > schedule_.most_of_subtree; };
     std::vector<int> first(unit_of_.size());
     for (int s = 0; s < structure_.count(); ++s) {
       const bool is_leaf = node(s).child == node(s + 1).child;

@@ -7,7 +7,7 @@
 
 namespace isostretch::cholesky {
 
-// What one thread does at a time: a whole subtree, or a supernode of the top of the tree.
+// What is done at a time: a whole subtree, by one thread, or a supernode of the top of the tree.
 struct Unit {
   int begin = 0, root = 0;  // supernodes begin ... root; one of the top is both
   bool is_top = false;
@@ -23,6 +23,7 @@ struct Schedule {
   std::vector<Unit> unit;         // ascending
   std::vector<int> subtree, top;  // numbers of units: the largest subtrees first, the top ascending
   double flops = 0;               // of all
+  double most_of_subtree = 0;     // operations of a subtree that is one unit, at most
   std::int64_t stack = 0;         // values of the largest stack of a subtree
   int most_rows = 0;              // of a front
 

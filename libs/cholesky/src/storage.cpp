@@ -12,6 +12,12 @@ namespace {
 // subtree that keeps the other threads busy: all threads do it together.
 constexpr double is_alone_to = 1.1;
 
+// Units that wait for none. No more are ever at work at the same time.
+int leaves(const Schedule& schedule) {
+  return static_cast<int>(std::count_if(schedule.unit.begin(), schedule.unit.end(),
+                                        [](const Unit& unit) { return unit.children == 0; }));
+}
+
 // When a unit is begun and done, in operations of one thread.
 struct Times {
   double begin = 0, end = 0;
@@ -210,8 +216,9 @@ class Planner {
 
 }  // namespace
 
-Storage::Storage(const Structure& structure, const Schedule& schedule, int threads)
-    : alone(is_alone_to * schedule.flops / threads) {
+Storage::Storage(const Structure& structure, const Schedule& schedule, int most_threads)
+    : threads(std::clamp(leaves(schedule), 1, most_threads)),
+      alone(std::max(is_alone_to * schedule.flops / most_threads, schedule.most_of_subtree)) {
   const std::vector<Times> times = Simulation(schedule, threads, alone).times();
   Planner planner(structure, schedule, times, threads);
   planner.place();

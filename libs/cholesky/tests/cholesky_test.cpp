@@ -124,6 +124,23 @@ TEST_CASE("the same bits for any number of threads") {
   set_threads(0);
 }
 
+TEST_CASE("many more threads than cores, and than branches of the tree") {
+  for (const Matrix& A : {repeated(grid(4, 4, 1), 130), grid(34, 31, 1), grid(3, 3, 1)}) {
+    const Analysis analysis(A.pattern());
+    const Eigen::VectorXd b = Eigen::VectorXd::Random(A.size);
+    for (const int threads : {64, 150, 200}) {
+      set_threads(threads);
+      Factor factor(analysis);
+      REQUIRE(factor.factorize(A.value.data()));
+      Eigen::VectorXd x(A.size);
+      set_threads(2);
+      factor.solve(b.data(), x.data());
+      CHECK(backward_error(A, x, b) < 1e-15);
+    }
+  }
+  set_threads(0);
+}
+
 TEST_CASE("a pivot that fails is named, whatever the threads, and the next matrix is factorised") {
   Matrix A = grid(20, 15, 1);
   const Analysis analysis(A.pattern(), shuffled(A.size, 3));

@@ -76,6 +76,35 @@ inline Matrix grid(int width, int height, int block) {
   return lower(A);
 }
 
+// So many matrices side by side that have nothing to do with each other.
+inline Matrix repeated(const Matrix& one, int times) {
+  Matrix result;
+  for (int k = 0; k < times; ++k) {
+    for (const int row : one.row) result.row.push_back(result.size + row);
+    result.value.insert(result.value.end(), one.value.begin(), one.value.end());
+    const int entries = result.start.back();
+    for (int j = 1; j <= one.size; ++j) result.start.push_back(entries + one.start[j]);
+    result.size += one.size;
+  }
+  return result;
+}
+
+// One unknown, the last, that is coupled to all others, which are not to each other.
+inline Matrix arrowhead(int size) {
+  Matrix result;
+  result.size = size;
+  for (int j = 0; j < size; ++j) {
+    result.row.push_back(j);
+    result.value.push_back(j + 1 < size ? 2.0 : 2.0 * size);
+    if (j + 1 < size) {
+      result.row.push_back(size - 1);
+      result.value.push_back(-1.0);
+    }
+    result.start.push_back(static_cast<int>(result.row.size()));
+  }
+  return result;
+}
+
 inline std::vector<int> shuffled(int size, unsigned seed) {
   std::vector<int> order(static_cast<std::size_t>(size));
   std::iota(order.begin(), order.end(), 0);

@@ -59,7 +59,9 @@ class Execution {
       if (is_due(u, again) && schedule_.unit[u].parent >= 0) ++waiting[schedule_.unit[u].parent];
     for (const auto& [done, unit] : storage_.waits)
       if (is_due(done, again)) ++waiting[unit];
-    const auto is_shared = [&](int u) { return schedule_.unit[u].flops > storage_.alone; };
+    const auto is_shared = [&](int u) {
+      return schedule_.unit[u].is_top && schedule_.unit[u].flops > storage_.alone;
+    };
     int left = 0;
     for (int u = 0; u < count(); ++u) {
       if (again && is_due(u, again)) memory_.give_back(columns(u).first, columns(u).second);
@@ -135,13 +137,30 @@ TEST_CASE("storage: nothing overlaps that is needed at the same time, whatever t
     for (const int last : {0, 1, 30, 50}) {
       const Analysis analysis(A.pattern(), shuffled(A.size, 8), {}, last);
       const Schedule schedule(analysis.structure());
-      for (const int threads : {1, 2, 3, 8}) {
+      for (const int threads : {1, 2, 3, 8, 200}) {
         const Storage storage(analysis.structure(), schedule, threads);
         CHECK(storage.values >= analysis.structure().values);
         for (unsigned seed = 0; seed < 4; ++seed)
-          Execution(analysis.structure(), schedule, storage, threads, seed).factorize();
+          Execution(analysis.structure(), schedule, storage, storage.threads, seed).factorize();
       }
     }
+}
+
+TEST_CASE("storage: threads that can never be at work have no stack, and units are few in any tree") {
+  for (const Matrix& A : {arrowhead(5000), grid(2, 1500, 1), grid(34, 31, 2), repeated(grid(3, 3, 1), 300)}) {
+    const Analysis analysis(A.pattern());
+    const Schedule schedule(analysis.structure());
+    int moving = 0, leaves = 0;
+    for (const Unit& unit : schedule.unit) {
+      moving += unit.parent >= 0;
+      leaves += unit.children == 0;
+      CHECK((unit.is_top || unit.flops <= schedule.most_of_subtree));
+    }
+    CHECK(moving <= 256);
+    const Storage storage(analysis.structure(), schedule, 1000);
+    CHECK(storage.threads <= leaves);
+    CHECK(storage.stack.size() == static_cast<std::size_t>(storage.threads));
+  }
 }
 
 TEST_CASE("storage: little is taken besides L") {

@@ -43,6 +43,7 @@ class MultifrontalSolver final : public Solver {
     } catch (const std::bad_alloc&) {
       return {FactorStatus::out_of_memory, -1, "out of memory in the symbolic analysis"};
     } catch (const Error& error) {
+      if (error.kind() != ErrorKind::resource) throw;
       return {FactorStatus::out_of_memory, -1, error.what()};
     }
     factor_ = std::make_unique<cholesky::Factor>(analysis_);

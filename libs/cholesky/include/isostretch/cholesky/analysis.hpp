@@ -29,17 +29,19 @@ struct Amalgamation {
 /// of the multifrontal method, whose last rows - columns rows and columns are the update matrix that its
 /// parent takes.
 struct Supernode {
-  int first = 0;             ///< Position of its first column.
-  int columns = 0;           ///< Number of its columns.
-  int rows = 0;              ///< Number of its rows, the columns' own among them.
-  int parent = -1;           ///< Its parent; -1 for a root.
-  std::int64_t row = 0;      ///< Where its rows begin in Structure::row, past those of its own columns.
-  std::int64_t values = 0;   ///< Where its columns begin among the values of L.
-  std::int64_t leading = 0;  ///< Distance of two columns of the first block, in values.
-  std::int64_t entry = 0;    ///< Where its entries of A begin in Structure::entry.
-  std::int64_t child = 0;    ///< Where its children begin in Structure::child.
-  std::int64_t run = 0;      ///< Where the runs of its update matrix begin in Structure::run.
-  bool is_last = false;      ///< Whether its columns are among those that are eliminated last.
+  int first = 0;            ///< Position of its first column.
+  int columns = 0;          ///< Number of its columns.
+  int rows = 0;             ///< Number of its rows, the columns' own among them.
+  int parent = -1;          ///< Its parent; -1 for a root.
+  std::int64_t row = 0;     ///< Where its rows begin in Structure::row, past those of its own columns.
+  std::int64_t values = 0;  ///< Where its columns begin among the values of L.
+  /// Distance of two columns of the first block, in values. Every later block, which begins at its own
+  /// diagonal entry right after the one before, has 192 fewer.
+  std::int64_t leading = 0;
+  std::int64_t entry = 0;  ///< Where its entries of A begin in Structure::entry.
+  std::int64_t child = 0;  ///< Where its children begin in Structure::child.
+  std::int64_t run = 0;    ///< Where the runs of its update matrix begin in Structure::run.
+  bool is_last = false;    ///< Whether its columns are among those that are eliminated last.
   /// Operations of its subtree, itself included.
   double subtree_flops = 0;
   /// Values that the stack of update matrices has at most while its subtree is eliminated, its own update

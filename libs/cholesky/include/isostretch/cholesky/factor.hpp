@@ -28,7 +28,7 @@ struct FactorizeResult {
 /// The factor L of A = L L^T, A in the pattern of an analysis, by the multifrontal method (Duff, Reid 1983)
 /// with dense kernels for small fronts. Subtrees of the elimination tree are factorised by threads of their
 /// own (OpenMP), the fronts above them by all threads; results are the same bits for any number of threads.
-/// Memory is taken at the first factorization and kept.
+/// Memory is taken at the first factorization and kept; later ones take none unless there are other threads.
 class Factor {
  public:
   /// Takes an analysis, which must outlive the factor.
@@ -38,18 +38,20 @@ class Factor {
   Factor& operator=(const Factor&) = delete;
 
   /// Returns the bytes that factorizations take with so many threads, besides those of the analysis; 0: with
-  /// those that the next one will have.
+  /// those that the next one will have. Finding it out means planning where update matrices lie, which takes
+  /// milliseconds once for a number of threads, and may throw std::bad_alloc.
   std::int64_t bytes(int threads = 0) const;
-  /// Refuses factorizations that would take more bytes, without taking them; 0: no limit.
+  /// Refuses factorizations that would take more bytes, without taking them; 0: no limit. Refactorizations
+  /// take none and are not refused.
   void limit_memory(std::int64_t bytes);
 
   /// Factorises the matrix with these values, in the order of the pattern's entries. Without success there is
   /// no factor until the next call.
   FactorizeResult factorize(const double* values);
-  /// Factorises a matrix that differs from the last one of a successful factorize() in nothing but entries
-  /// both of whose unknowns are among Analysis::last(), and takes from that factorization what has not
-  /// changed. The factor is the same, to the bit, as that of factorize(), which is called where there has
-  /// been none yet.
+  /// Factorises a matrix that differs from that of the last factorize() in nothing but entries both of whose
+  /// unknowns are among Analysis::last(), which is not checked, and takes from that factorization what has
+  /// not changed. The factor is that of factorize(), to the bit. Without a successful factorize() before, or
+  /// after one that has failed, it is factorize().
   FactorizeResult refactorize(const double* values);
   /// Returns whether there is a factor.
   bool is_ready() const;

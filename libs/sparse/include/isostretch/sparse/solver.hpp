@@ -104,9 +104,10 @@ class Solver {
   /// Factorises a matrix with the pattern analyzed. Its values are not referred to later.
   FactorResult factorize(const SymmetricMatrix& A);
 
-  /// Factorises a matrix that differs from that of the last successful factorize() in nothing but entries
-  /// both of whose unknowns were given to set_last(), which is not checked. The multifrontal back end then
-  /// takes all that it can from that factorization, and gives the bits of factorize(); others factorise anew.
+  /// Factorises a matrix that differs from that of the last factorize() in nothing but entries both of whose
+  /// unknowns were given to set_last(), which is not checked. The multifrontal back end takes from that
+  /// factorization what has not changed, and gives the bits of factorize(). Others factorise anew, and so
+  /// does it without a successful factorize() before.
   FactorResult refactorize(const SymmetricMatrix& A);
 
   /// Solves for one right-hand side. x is resized here, in the caller's code: memory of an Eigen object must
@@ -146,9 +147,10 @@ class Solver {
   /// for one that the matrix has not.
   void set_last(std::vector<int> unknowns);
 
-  /// Computes the Schur complement of the unknowns of set_last(), all its entries in columns of as many
-  /// values: what is left of their rows and columns when all other unknowns have been eliminated. Throws
-  /// Error without a factorization and for a back end that has none: only `multifrontal` does.
+  /// Computes the Schur complement of the unknowns of set_last(), in their order, all its entries in columns
+  /// of as many values: what is left of their rows and columns when all other unknowns have been eliminated.
+  /// Does nothing where there are none. Throws Error without a factorization and for a back end other than
+  /// `multifrontal`, which `automatic` may have chosen, and std::bad_alloc where there is no memory.
   void schur_complement(double* values) const;
 
   /// Returns what the solver has done so far.
