@@ -7,9 +7,9 @@
 namespace isostretch::sparse {
 namespace {
 
-// A factorization takes about as long as 0.025 flops / nonzeros multiplications with solutions (README.md);
+// A factorization takes about as long as 0.015 flops / nonzeros multiplications with solutions (README.md);
 // half of that is a good time for a new one.
-constexpr double share_of_flops = 0.0125;
+constexpr double share_of_flops = 0.0075;
 constexpr int least_stale_iterations = 4, if_unknown = 20;
 
 }  // namespace
